@@ -11,7 +11,7 @@ import pytest
 pytest.importorskip("llvmlite")
 from simpter_hybrid.cli import main
 
-GAINS = "controller.stages.2.gain=0:0.2 V/(lbf*in):80"
+GAINS = "controller.stages.2.gain=0:0.2 V/(lbf*in):48"
 SWEEP = ["sweep", "regulation-30hz-gain-0.25", "--vary", GAINS, "--chunk", "4", "--no-pictures"]
 START = "import sys; from simpter_hybrid.cli import main; sys.exit(main(sys.argv[1:]))"
 
@@ -43,11 +43,11 @@ def test_what_is_finished_is_kept_and_not_run_again(tmp_path, capsys, number, co
     assert started_and_stopped(cut, number) == code
     time.sleep(0.1)
     kept = {file.name: identity(file) for file in (cut / "cases").glob("*.json")}
-    assert 8 <= len(kept) < 80
+    assert 8 <= len(kept) < 48
     assert not (cut / "table.csv").exists()
     assert main([*SWEEP, "--jobs", "1", "--out", str(cut)]) == 0
     files = {file.name: identity(file) for file in (cut / "cases").iterdir()}
-    assert len(files) == 80
+    assert len(files) == 48
     assert {name: files[name] for name in kept} == kept
     if number == signal.SIGKILL:
         assert main([*SWEEP, "--jobs", "1", "--out", str(whole)]) == 0

@@ -1,6 +1,7 @@
-"""Shipped scenarios load, check, run; their resolved form gives the same bytes."""
+"""Shipped scenarios load, check, run, with either engine; their resolved form gives the same."""
 
 import pytest
+from same_runs import assert_same
 
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.files.scenario_file import UNITS, load, parse, shipped_scenarios
@@ -20,15 +21,19 @@ def test_the_ten_are_there():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_it_runs_and_its_resolved_form_reproduces_the_bytes(name):
+    pytest.importorskip("llvmlite")
+    from simpter_hybrid.compiled import simulate as compiled
+
     scenario = load(name)
     resolved = resolve(scenario)
     again = parse(resolved.text)
     assert resolve(again) == resolved
 
-    first, second = simulate(scenario), simulate(again)
+    reference, first, second = simulate(scenario), compiled(scenario), compiled(again)
 
-    assert first.status in ("finished", "stopped")
-    assert energy_balance(first).relative < 1e-8  # what every shipped scenario promises
+    assert reference.status in ("finished", "stopped")
+    assert energy_balance(reference).relative < 1e-8  # what every shipped scenario promises
+    assert_same(reference, first)
     assert trajectory_bytes(first) == trajectory_bytes(second)
     assert events_csv(first) == events_csv(second)
 

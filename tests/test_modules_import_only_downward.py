@@ -1,6 +1,7 @@
 """The layers: a module imports only from its own layer or below; extras stay out of the core."""
 
 import ast
+import functools
 from pathlib import Path
 
 import pytest
@@ -35,10 +36,15 @@ LAYERS = (
 LEVEL = {name: k for k, names in enumerate(LAYERS) for name in names}
 
 
+@functools.cache
+def parsed(path: Path) -> ast.Module:
+    return ast.parse(path.read_text())
+
+
 def imports(path: Path):
     """(line, first name) of every import of the package in ``path``, within functions too."""
     package = ("simpter_hybrid", *path.relative_to(ROOT).parts[:-1])
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in ast.walk(parsed(path)):
         if isinstance(node, ast.ImportFrom):
             base = package[: len(package) - node.level + 1] if node.level else ()
             full = [(*base, *(node.module.split(".") if node.module else ()))]
@@ -77,7 +83,7 @@ def test_extras_are_imported_lazily(extra):
     for path in ROOT.rglob("*.py"):
         if set(path.relative_to(ROOT).parts) & allowed:
             continue
-        for node in ast.parse(path.read_text()).body:
+        for node in parsed(path).body:
             names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
             names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
             if any(n.split(".")[0] == extra for n in names):
