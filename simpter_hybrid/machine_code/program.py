@@ -220,6 +220,11 @@ class Program:
             room = room.more()
 
 
+def general_is_kept(scenario: Scenario) -> bool:
+    """Whether the kernel that serves models of any sizes is on disk for this scenario."""
+    return is_kept(kernel_name(capacity(scenario.sizes()), scenario.method, "", ()))
+
+
 def repeated(row: Any, count: int) -> np.ndarray:
     """``row`` as each of ``count`` rows."""
     return np.tile(np.array(row, dtype=float), (count, 1))

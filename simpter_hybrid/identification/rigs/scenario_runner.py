@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernel.records import COUNTS, FREE, STEPS, STICK
-from ...machine_code.program import Cases, Program, Room
+from ...machine_code.program import Cases, Program, Room, general_is_kept
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..recordings.row_step import row_step
@@ -96,12 +96,13 @@ class ScenarioRunner:
     scenario : Scenario
         Its parameters are defaults; its duration is replaced by each record's.
     sized : bool
-        Begin with a kernel for these sizes: pays for models that are run hundreds of times.
+        Begin with a kernel for these sizes where none is on disk that serves any: pays for models
+        that are run hundreds of times.
     """
 
     def __init__(self, scenario: Scenario, sized: bool = False) -> None:
         self.scenario = scenario
-        self.program = Program(scenario, sized=sized)
+        self.program = Program(scenario, sized=sized and not general_is_kept(scenario))
         self.names = {name: k for k, name in enumerate(scenario.parameter_names())}
         self.default = np.array(scenario.parameter_values(), dtype=float)
         self._python = scenario.python_model()
