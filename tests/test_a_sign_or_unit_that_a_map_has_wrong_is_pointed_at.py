@@ -53,15 +53,21 @@ def test_a_sensor_that_is_off_by_less_is_left_to_the_diagnosis():
     assert not _said(np.full(TIME.size, np.nan), RATE)
 
 
-def _asked(folder, described, floor=0.0, part="select", worse=1.0):
-    """Doubts of the recording in a folder, were that map its own; the refit errs `worse` times."""
+def _asker(folder, described, part="select", worse=1.0):
+    """What tells doubts of a folder's recording, were that map its own; the refit errs `worse`."""
     (folder / "map.toml").write_text(described, encoding="utf-8")
     recording = load_recording(folder / "data.csv", folder / "map.toml")
     bench = bench_of(recording, declared_axis(), groups_of(recording))
     values = {p.name: p.value for p in bench.predictor.parameters}
     runs = scaled(bench.parts, bench.predictor, values)[part]
     error = worse * rms(weighted_residuals(bench.predictor, values, runs))
-    return doubted_channels(bench, recording, values, runs, error, floor * error, part)
+    return lambda floor=0.0: doubted_channels(
+        bench, recording, values, runs, error, floor * error, part
+    )
+
+
+def _asked(folder, described, floor=0.0, **more):
+    return _asker(folder, described, **more)(floor)
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +90,8 @@ def folder(tmp_path_factory):
     ],
 )
 def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel, factor):
-    found = _asked(folder, MAP.replace(old, new))
+    ask = _asker(folder, MAP.replace(old, new))
+    found = ask()
     said = {doubt.change.channels: doubt.change.factor for doubt in found}
     assert said.get((channel,)) == (factor and pytest.approx(factor))
     assert bool(said) == bool(factor)
@@ -96,7 +103,7 @@ def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel
         assert channel in sentence
         told = {np.pi / 180: "degrees, not radians", 1 / 360: "degrees, not turns"}
         assert told.get(factor, "") in sentence
-    assert _asked(folder, MAP.replace(old, new), floor=0.5) == ()
+    assert ask(floor=0.5) == ()
 
 
 def test_the_fitted_runs_can_be_asked_as_well(folder):
