@@ -33,7 +33,7 @@ def own_testbed() -> list[str]:
     first = {g: own(g, column="first_score")["right"] for g in ("pair", "outside", "without")}
     programs = {r["commit"] for r in rows("diagnose_own.csv")}
     return [
-        f"those of {len(rows('diagnose_own.csv'))} cases by {len(programs)})",
+        f"({len(programs)} for the {len(rows('diagnose_own.csv'))} cases)",
         f"at most 1.03 in {near} of",
         f"{of(own('null'))} | strength 1: right {of(single[0])}",
         f"0.6: {of(single[1])}; 0.35: {of(single[2])}",
