@@ -121,11 +121,11 @@ def page(rows: Sequence[Row], matrix: tuple[list[str], list[str], list[list[int]
     if over:
         close = sum(x <= 1.03 for x in over)
         facts.append(
-            f"Error after over the floor, where the name is right: median {median(over):.3f}, "
+            f"Error after, over the floor, where the name is right: median {median(over):.3f}, "
             f"at most 1.03 in {close} of {len(over)}; above 1.05 without a word in {unsaid}."
         )
     if cpu:
-        facts.append(f"CPU time a diagnosis: median {median(cpu):.0f} s, most {max(cpu):.0f} s.")
+        facts.append(f"CPU time of a diagnosis: median {median(cpu):.0f} s, most {max(cpu):.0f} s.")
         facts.append(
             f"These cases take {sum(cpu) / 3600.0:.0f} hours of CPU; four hours of two cores make "
             f"the first {_within(rows, 2 * 4 * 3600.0)} of the list."
@@ -159,39 +159,46 @@ def _limits_text(rows: Sequence[Row]) -> list[str]:
 
 
 LIMITS = """Error over the floor after the declared parameters were refitted, which is all that a
-recording shows of what is hidden, and whether the verdict is right; one entry a recording."""
+recording shows of what is hidden, and whether the verdict is right; one entry for each
+recording."""
 
 
-SIZES = """Right of an effect in nobody's list: unknown, with a coordinate that belongs to it.
-Errors of size are those of numbers of the same name: an own drag grows with the 1.1th power of
-speed (at 2 rad/s 7 % more than in proportion), an own Stribeck fades with an exponent of 1.3, an
-own slow release depends on the excitation."""
+SIZES = """For an effect in nobody's list, right is: unknown, with a coordinate that belongs to it.
+Errors of size are those of numbers that have the same name in the generator and the
+library: an own drag grows with the 1.1th power of speed (at 2 rad/s 7 % more than in
+proportion), an own Stribeck fades with an exponent of 1.3, an own slow release depends
+on the excitation."""
 
-STUDY = """A study of methods, with data of a generator of its own and 14 effects, asked this of
-whoever builds such a diagnosis; the numbers beside it are of its prototype."""
+STUDY = """A study of methods, with data of a generator of its own and 14 effects, asked for the
+following from whoever builds such a diagnosis. The numbers in "the study's own" are of
+its prototype."""
 
-FIRST = """Counts above are of the latest run of each case.  Unseen is a case when it is first run;
-where rules were changed since and it was run again with another score, both stand here (a rule may
-have been made on it)."""
+FIRST = """Counts above are of the latest run of each case. A case is unseen when it is first run.
+Where rules were changed since, and a case was run again with another score, both scores
+stand here (a rule may have been made on it)."""
 
 ABOUT = """# Recordings of another generator
 
     python benchmarks/diagnose_own.py --hours 4
     python benchmarks/own_testbed.py DIR --seed 1 --effects stribeck=1 imbalance=0.6
 
-`benchmarks/own_testbed*.py` makes recordings of the testbed with the plan of the practice files
-and shares no code with the package: steps of 50 us, a rule for stick of its own, and forms that are
-not those of the library (an exponent of 1.3 for Stribeck, two time constants of heat, five plays,
-harmonics beyond the second, a soft limit of the supply, four springs that yield in turn, a play
-with hard ends). Six effects are in nobody's list; backlash was there until the library had it. At
-strength 1 the residual after the refit is 1.1 to 3 times the floor, as in the practice files; half
-of the recordings have coloured noise (60 % of its variance with a correlation time of 20 ms).
-`drawn`: any two effects of the library, each of strength 1 or 0.6, drawn (a line is of the
-stronger). `without`: recordings of strength 1, diagnosed with every right name taken out of the
-library; right is "unknown". `poor`: one-way runs, the motor's torque not logged; in brackets how
-many of the missed the diagnosis itself lists as what these runs cannot show. `advised`: the
-same rig with the runs made that the diagnosis of the poor recording puts first, both torques
-logged in them.
-Each case has its seed from its name; the list is ordered so that any beginning of it is a fair
+`benchmarks/own_testbed*.py` makes recordings of the testbed with the plan of the practice files. It
+shares no code with the package: it has steps of 50 us, a rule for stick of its own, and forms that
+are not those of the library (an exponent of 1.3 for Stribeck, two time constants of heat, five
+plays, harmonics beyond the second, a soft limit of the supply, four springs that yield in turn, a
+play with hard ends). Six effects are in nobody's list; backlash was there until the library had it.
+At strength 1 the residual after the refit is 1.1 to 3 times the floor, as in the practice files.
+Half of the recordings have coloured noise (60 % of its variance with a correlation time of 20 ms).
+
+- `drawn`: two effects of the library drawn at random, each of strength 1 or 0.6 (a line of the
+  table goes by the stronger).
+- `without`: recordings of strength 1, diagnosed with every right name taken out of the library;
+  right is "unknown".
+- `poor`: one-way runs in which the motor's torque was not logged; in brackets how many of the
+  missed ones the diagnosis itself lists as what these runs cannot show.
+- `advised`: the same rig with the runs made that the diagnosis of the poor recording puts first,
+  both torques logged in them.
+
+Each case has its seed from its name. The list is ordered so that any beginning of it is a fair
 part. This page is written by the command.
 """
