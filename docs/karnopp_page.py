@@ -15,16 +15,16 @@ from karnopp_causes import RIGHT, ROOT, head, partings, row, rules, steps, table
 PAGE = ROOT / "docs" / "karnopp.md"
 LEAD = """# Karnopp's band beside the exact run
 
-The thesis's simulator, rebuilt (`simpter_hybrid/karnopp`): inside a band of slip speeds a clutch
-counts as stuck, and three or four stuck clutches are handled by the lumped actuator of its 7.5.
-It shares no friction code with the exact engine. Three sets of rules:
+This is the thesis's simulator, rebuilt (`simpter_hybrid/karnopp`). Inside a band of slip speeds a
+clutch counts as stuck, and three or four stuck clutches are handled by the lumped actuator of its
+section 7.5. It shares no friction code with the exact engine. It is run by three sets of rules:
 
 - **thesis**: as printed (Table 1, Appendix A with its misprints corrected, the previous-step rule
   (24)-(29)), ode45 with SIMULINK's default tolerances;
 - **fair**: the same tables, every choice that the thesis leaves open made for the better, the
   tolerance following the band;
-- **tuned**: without the tables: every clutch inside the band sticks, with the least torques (in
-  units of their breakaway torques) that stop all slip, the speeds are set so that it does, and no
+- **tuned**: without the tables. Every clutch inside the band sticks, with the least torques (in
+  units of their breakaway torques) that stop all slip; the speeds are set so that it does; and no
   step is longer than 5 ms.
 
     python benchmarks/karnopp_scenarios.py --out benchmarks/karnopp_scenarios.csv
@@ -41,48 +41,50 @@ It shares no friction code with the exact engine. Three sets of rules:
 """
 SCENARIOS = """## On the shipped scenarios: what band is right to 1 %?
 
-Largest band [rad/s] from which on that band and every smaller one tried (down to 1e-6; fair and
-tuned rules on the thesis's controllers down to 1e-8) keeps the whole way within 1 % of the distance
-travelled, and, second number, the thesis's measures (duration, average error, acceleration, jerk)
-within 1 % of the exact run's. "-": none. In brackets stops and releases missed and invented at a
-band of 1e-3, of so many. (testbed-tracking-0.20 has no stop or release at all: its jerk, of 2e-3
-rad/s^3, is that of the solvers and 1.5 % off whatever the band.)
+Each cell has two numbers. The first is the largest band [rad/s] from which on that band and every
+smaller one tried (down to 1e-6; fair and tuned rules on the thesis's controllers down to 1e-8)
+keeps the whole way within 1 % of the distance travelled. The second is the largest such band that
+keeps the thesis's measures (duration, average error, acceleration, jerk) within 1 % of the exact
+run's. "-": none. In brackets stand the stops and releases that are missed and invented at a band of
+1e-3; the column "changes" has their number in the exact run. (testbed-tracking-0.20 has no stop or
+release at all: its jerk, of 2e-3 rad/s^3, is that of the solvers and 1.5 % off whatever the band.)
 """
 ENSEMBLE = """## On random runs
 
-Random poses, speeds, torque maps, loads and commands, with and without a controller. Error: of the
-final angles in units of the largest displacement. "Chattering": runs given up after 10,000 steps.
-Missed and invented: per stop or release of the exact run. Cost: processor time over that of the
-exact run, both compiled, neither with a record. All costs of Karnopp's model on this page were
-measured while Numba compiled it; by the project's own compiler, to the same bits, it takes about a
-sixth of that. The tuned rules' error falls as the square root of the band: a clutch that has broken
-away stays inside the band, at breakaway torque, for a time that is proportional to it.
+The runs have random poses, speeds, torque maps, loads and commands, with and without a controller.
+Error: of the final angles in units of the largest displacement. "Chattering": runs given up after
+10,000 steps. Missed and invented: per stop or release of the exact run. Cost: processor time over
+that of the exact run, both compiled, neither with a record. All costs of Karnopp's model on this
+page were measured while Numba compiled it; by the project's own compiler, to the same bits, it takes
+about a sixth of that. The tuned rules' error falls as the square root of the band: a clutch that has
+broken away stays inside the band, at breakaway torque, for a time that is proportional to it.
 """
 BEST = """### At its best
 
-The same kinds of run under a search: general rules with two limiters, every band with tolerances
-from a thousandth of it to all of it, two longest steps, fixed steps, and the fair rules. The
-cheapest setting of all with a median error below a bound, and the cheapest with nine of ten runs
-right to 1 %. Cost as above; the exact engine stands at its default, whatever the bound.
+The same kinds of run were searched over: general rules with two limiters, every band with
+tolerances from a thousandth of it to all of it, two longest steps, fixed steps, and the fair rules.
+The table has the cheapest setting of all with a median error below a bound, and the cheapest with
+nine of ten runs right to 1 %. Cost as above; the exact engine stands at its default, whatever the
+bound.
 """
 LUMPED = """## How often the lumped actuator lets the wrong clutches go
 
-Single instants of PTER at rest, three or four clutches stuck, against enumeration of all modes, by
-how far the load grows from below to above what the clutches hold within one step. The smallest
-example is `tests/test_the_lumped_actuator_can_release_the_wrong_clutches.py`.
+Single instants of PTER at rest with three or four clutches stuck are compared with an enumeration
+of all modes, by how far the load grows within one step from below to above what the clutches hold.
+The smallest example is `tests/test_the_lumped_actuator_can_release_the_wrong_clutches.py`.
 """
 WORK = """## Error against time, beside other solvers
 
 ![Error of the final state and of event times against processor time](work-precision.png)
 
-One run with constant friction and breakaway equal to slip torque, which all of them can express.
-The exact engines agree with heyoka's Taylor series, which shares nothing with them, to 1e-15 in the
-state and 5e-15 s in the instants. MuJoCo's default friction softness keeps an error of 3e-3
-whatever the step; made as hard as it gets, and Siconos with projected Gauss-Seidel (its default
-solver of relays fails on redundantly stuck clutches), converge at first order towards the same
-answer. Smooth friction converges too, in proportion to its width. Nobody disagrees beyond their
-own accuracy. Cheapest setting of each with a state error below a bound, in units of the compiled
-exact engine at its default:
+The run has constant friction and breakaway equal to slip torque, so that all solvers can express
+it. The exact engines agree with heyoka's Taylor series, which shares nothing with them, to 1e-15 in
+the state and 5e-15 s in the instants. MuJoCo's default friction softness keeps an error of 3e-3
+whatever the step. MuJoCo made as hard as it gets, and Siconos with projected Gauss-Seidel (its
+default solver of relays fails on redundantly stuck clutches), converge at first order towards the
+same answer. Smooth friction converges too, in proportion to its width. No solver disagrees beyond
+its own accuracy. The table has the cheapest setting of each with a state error below a bound, in
+units of the compiled exact engine at its default:
 """
 
 
@@ -91,7 +93,7 @@ DRAKE = """\
 band from 1e-1 to 1e-8 rad/s.
 
 Drake is left out: version 1.51 installs for Python 3.11 by `pip install drake`, but its joints have
-viscous damping only. Dry friction with a bound is asked for in its issue 18932; the constraint that
+viscous damping only. Dry friction with a bound is asked for in its issue 18932. The constraint that
 was added for it (pull request 24920) is regularised, acts on single joints and cannot be reached
 from Python in that version. A brake built from contacts would have a torque that follows from
 geometry and pressure, not one that is commanded.
