@@ -122,7 +122,7 @@ prediction; the remaining error is large, and so are the fitted changes of decla
 ROBOT = """## The robot (synthetic data)
 
 Positions, tip force and commands only; the practice files say what they hide, the sealed ones do
-not. The sealed files were diagnosed over thirty times, each time with settings that were fixed
+not. The sealed files were diagnosed over forty times, each time with settings that were fixed
 before ([where what was seen led to a change](how-unseen-the-data-are.md)): at first six of twelve
 forms were incomplete. The results here are from later runs, with candidates and weights that were
 made on recordings of an own generator (`python benchmarks/own_robot.py`); they are made by
