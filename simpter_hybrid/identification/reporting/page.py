@@ -42,6 +42,8 @@ TOLD = (
 )  # fmt: skip
 #: Condition of an interval: it knows of noise, and not of how far a law is off.
 IF_RIGHT = "if the laws are right"
+#: ... where the search itself found that one is not.
+BY_NOISE = "by noise alone: a form is incomplete, and a true value may well lie outside"
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "
     "alarms on synthetic sets of them in which nothing more is missing; "
@@ -74,7 +76,7 @@ def _said(data: Mapping[str, Any]) -> list[str]:
         *(_paragraph(data[key]) for key in DOUBTED if data[key]),
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         _paragraph(data["kind"]),
-        _paragraph(_fitted(data["parameters"])),
+        _paragraph(_fitted(data["parameters"], _meant(data["verdict"]))),
         *(_paragraph(data[key]) for key in TOLD if data[key]),
         _own_values(data["run_to_run"]),
         _paragraph(data["empirical"]["sentence"]) if data["empirical"] else "",
@@ -92,7 +94,7 @@ def _tables(data: Mapping[str, Any], model: str) -> list[str]:
         "<h2>Error on the runs that fit and select</h2>",
         run_table(data["error_of_runs"]),
         "<h2>Parameters</h2>",
-        _parameters(data["parameters"]),
+        _parameters(data["parameters"], _meant(data["verdict"])),
         "<h2>Candidates</h2>",
         *(candidate_table(k, r, bool(data["cut_short"])) for k, r in enumerate(data["rounds"])),
         _paragraph(_refused(data["not_fitted"], bool(data["cut_short"]))),
@@ -124,9 +126,14 @@ def _paragraph(text: str) -> str:
     return f"<p>{html.escape(text)}</p>"
 
 
-def _parameters(parameters: Sequence[Mapping[str, Any]]) -> str:
+def _meant(verdict: str) -> str:
+    """What an interval means beside such a verdict."""
+    return BY_NOISE if verdict == "form incomplete" else IF_RIGHT
+
+
+def _parameters(parameters: Sequence[Mapping[str, Any]], meant: str) -> str:
     """Everything that was fitted, declared numbers as times their values."""
-    head = ("parameter (of a declared one: times its value)", "fitted", f"± 95 % {IF_RIGHT}",
+    head = ("parameter (of a declared one: times its value)", "fitted", f"± 95 % {meant}",
             "largest correlation")  # fmt: skip
     rows = (
         (
@@ -174,11 +181,11 @@ def _changes(diff: Sequence[str]) -> str:
     return f"<p>What changed (- declared, + corrected):</p><pre>{lines}</pre><p>All of it:</p>"
 
 
-def _fitted(parameters: Sequence[Mapping[str, Any]]) -> str:
+def _fitted(parameters: Sequence[Mapping[str, Any]], meant: str) -> str:
     """Sizes of what was found, with their 95 % intervals."""
     sizes = [
         f"{p['name']} {number(p['value'])} ± {width(p)} {p['unit']}".rstrip()
         for p in parameters
         if p["found"]
     ]
-    return f"Fitted: {'; '.join(sizes)} (± 95 % {IF_RIGHT})." if sizes else ""
+    return f"Fitted: {'; '.join(sizes)} (± 95 % {meant})." if sizes else ""
