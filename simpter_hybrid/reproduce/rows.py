@@ -34,7 +34,7 @@ class Row:
     why : str
         For the last two: what is missing or different.
     share : float, optional
-        Share of the plausible inputs for which the claim holds.
+        Share of the plausible inputs for which the claim holds; None where none were drawn.
     numbers : mapping
         The numbers behind ``ours``, for tests and files.
     """

@@ -98,11 +98,10 @@ def materials(engine: Engine) -> Row:
         "S67",
         "an equal breakaway and slip torque makes the device smoother",
         "hypothesized",
-        words(found),
+        f"smoother with {sum(better)} of {len(better)} controllers: {words(found)}",
         all(better),
         why="what steps the acceleration is the sign change of the slip torque; the gap to "
         "breakaway adds to it only where a clutch has stuck before",
-        share=sum(better) / len(better),
     )
 
 
@@ -183,8 +182,7 @@ def actuator(engine: Engine) -> Row:
         "S72",
         "another type of clutch can be judged by exchanging the actuator model",
         "may serve",
-        words(found),
+        f"tracking improves with {sum(better)} of {len(better)} controllers: {words(found)}",
         any(better),
-        why="with the look-up table of the slow clutch; tracking improves where the claim holds",
-        share=sum(better) / len(better),
+        why="with the look-up table of the slow clutch; the claim holds where any tracks better",
     )
