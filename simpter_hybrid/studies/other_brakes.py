@@ -12,7 +12,7 @@ from .study import Study
 from .variants import ABOUT, comparison, ratio_picture, ratios, side_by_side, verdict
 
 CLUTCH = "friction clutch"
-#: Torque of (39) at rest and full command, which every brake here has [N m].
+#: Torque of (39) at rest and full command, which every brake here has, plus its drag [N m].
 FULL = TestbedTorque.slip_torque(
     0.0, 10.0, 1.0, 0.0, TestbedTorque().offset, TestbedTorque().a, TestbedTorque().b,
     TestbedTorque().c,
@@ -70,10 +70,10 @@ def other_brakes(size: int = 24) -> Study:
         "thesis 6.2.1 (the actuator model exchanged); magnetorheological brakes: M. Jolly, J. "
         "Bender, J. Carlson, J. Intell. Mater. Syst. Struct. 10 (1999) 5 (milliseconds, no "
         "stiction, off-state drag)",
-        ABOUT.format(size=size) + " All brakes have the slip torque of (39) at full command; the "
-        "properties of the fluid brake are added one after the other, its drag as a share of that "
-        "torque. Kept as it is, the torque feedback's gain is beyond what the faster loop bears; "
-        "hence a quarter of it in the rows that follow.",
+        ABOUT.format(size=size) + " All brakes have the slip torque of (39) at full command, those "
+        "with drag about as much more; the properties of the fluid brake are added one after the "
+        "other, its drag as a share of that torque. Kept as it is, the torque feedback's gain is "
+        "beyond what the faster loop bears; hence a quarter of it in the rows that follow.",
         (comparison(found, CLUTCH, "On the line"),),
         (
             f"Fast and without a static gap the error is less for "

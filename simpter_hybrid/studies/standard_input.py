@@ -95,11 +95,7 @@ def standard_input(size: int = 24) -> Study:
             f"The next is {second} with {weakest[second]:.1f}.",
             "Repeats needed to tell both pairs of controllers apart by error and jerk (95 %, power "
             "90 %): " + "; ".join(f"{n} {repeats(weakest[n])}" for n in names) + ".",
-            "With the chosen force the controllers' errors rank "
-            + " < ".join(sorted(CONTROLLERS, key=lambda c: found[chosen, c].error[1:].mean()))
-            + ", with the thesis's "
-            + " < ".join(sorted(CONTROLLERS, key=lambda c: found[THESIS, c].error[1:].mean()))
-            + ": a ranking belongs to its force.",
+            rankings(found, chosen),
             "standard-input.csv holds the chosen force as a table of time and force, to be played "
             "by a rig and by the load recorded-tip-force.",
         ),
@@ -108,6 +104,16 @@ def standard_input(size: int = 24) -> Study:
         "Every dot is one repeat.",
         {"standard-input.csv": force_file(chosen)},
     )  # fmt: skip
+
+
+def rankings(found: dict[tuple[str, str], Measured], chosen: str) -> str:
+    """How the chosen force and the thesis's rank the controllers, in a sentence."""
+    its, theirs = (
+        " < ".join(sorted(CONTROLLERS, key=lambda c: found[force, c].error[1:].mean()))
+        for force in (chosen, THESIS)
+    )
+    words = f"With the chosen force the controllers' errors rank {its}, with the thesis's "
+    return words + ("alike." if its == theirs else f"{theirs}: a ranking belongs to its force.")
 
 
 def table_of(found, names, told, size: int) -> Table:

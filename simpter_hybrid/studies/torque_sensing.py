@@ -101,8 +101,8 @@ def sentences(found, best, gained) -> tuple[str, ...]:
         f"{thesis:g} Hz and {best[fast][0]:g} V/(lb-in) at {fast:g} Hz"
         + (
             ": a faster rate bears more gain, as the thesis expects."
-            if best[slow][0] <= best[thesis][0] <= best[fast][0]
-            else "; a faster rate does not always ask for more."
+            if best[slow][0] < best[thesis][0] < best[fast][0]
+            else "; a faster rate does not always bear more."
         ),
         f"From {thesis:g} to {fast:g} Hz, each at its best gain, the error goes from "
         f"{lowest[thesis]:.3f} to {lowest[fast]:.3f} in nominally, and falls for "
