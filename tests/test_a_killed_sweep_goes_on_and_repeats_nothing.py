@@ -61,7 +61,7 @@ def test_what_is_finished_is_kept_and_not_run_again(tmp_path, capsys, number, co
 def test_two_programs_do_not_work_on_one_sweep(tmp_path, capsys):
     lock = "import fcntl,sys,time; f=open(sys.argv[1],'a'); fcntl.lockf(f,2); print(1,flush=True)"
     (tmp_path / "s").mkdir()
-    small = ["sweep", "reduced-clutch-1", "--vary", "run.t_end=1 ms,2 ms", "--no-pictures"]
+    small = ["sweep", "reduced-clutch-1", "--vary", "run.t_end=2 ms,3 ms", "--no-pictures"]
     small += ["--jobs", "1", "--out", str(tmp_path / "s")]
     assert main(small) == 0
     held = str(tmp_path / "s" / ".lock")

@@ -52,6 +52,8 @@ def test_values_are_tried_before_anything_runs(tmp_path, capsys):
         (["--vary", "run.t_end=1 s", "--vary", "run.t_end=2 s"], "varied twice"),
         (["--vary", "run.t_end=1 s", "--cases", "missing.csv"], "--cases: cannot be read"),
         (["--vary", "run.t_end=1 s", "--step", "1e-9 s"], "more than 2000000 instants"),
+        (["--vary", "run.t_end=1 s,9 s", "--step", "1 s"], "a step of at most 0.5 s"),
+        (["--vary", "run.t_end=1..2 s", "--sample", "2", "--seed", "-1"], "--seed: not a seed"),
         (["--vary", "run.rtol=1e-3:1e-2:3000000"], "a count from 2 to 1000000"),
         (["--vary", "run.rtol=1e-3:1e-2:1e999"], "a count from 2 to 1000000"),
     ],

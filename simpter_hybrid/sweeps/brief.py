@@ -25,6 +25,12 @@ from ..trajectory import Trajectory
 Measured = dict[str, float | None]
 #: A measure of one's own: of a run, numbers by name.
 OwnMeasure = Callable[[Trajectory], Mapping[str, float]]
+#: Of fewer instants no mean, no path and no rate of change is known.
+FEWEST = 3
+#: What is taken at the instants of the step.
+STEPPED = (
+    "average_error", "max_error", "path_length", "average_acceleration", "average_jerk", "max_jerk"
+)  # fmt: skip
 #: Unit and words for what ``Metrics`` does not name.
 MORE = {
     "events": ("", "events"),
@@ -46,7 +52,7 @@ def after(instants: np.ndarray, t_end: float) -> np.ndarray:
 
 
 def brief(trajectory: Trajectory, step: float, tip: Any, acceleration: np.ndarray) -> Measured:
-    """The measures taken of every case.
+    """The measures taken of every case; None for what fewer than three instants do not tell.
 
     They are those of ``metrics.measures``, with the same names: only what needs the model evaluated
     at every event is left out.
@@ -77,7 +83,22 @@ def brief(trajectory: Trajectory, step: float, tip: Any, acceleration: np.ndarra
         found[f"saturation_time.{i + 1}"] = seconds
     z = trajectory.scenario.sizes()
     found["energy_from_user"] = float(trajectory.end[2 * z["n"] + z["m"] + z["nz"]])
-    return found
+    return known(found, len(t))
+
+
+def known(found: Measured, count: int) -> Measured:
+    """Measures without the numbers that ``count`` instants of a run do not tell.
+
+    Parameters
+    ----------
+    found : mapping
+        Measures by name.
+    count : int
+        Instants at which those of ``STEPPED`` were taken.
+    """
+    if count >= FEWEST:
+        return found
+    return {name: None if name in STEPPED else value for name, value in found.items()}
 
 
 def sampled(trajectory: Trajectory, step: float) -> Measured:
@@ -109,6 +130,7 @@ def everything(trajectory: Trajectory, step: float) -> Measured:
             found |= {f"{name}.{i + 1}": v for i, v in enumerate(value)}
         else:
             found[name] = value
+    found = known(found, len(instants(trajectory.t_end, step)))
     return {"events": len(trajectory.events), **found}
 
 

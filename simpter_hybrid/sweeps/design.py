@@ -68,11 +68,14 @@ def design(
         ``sobol`` and ``halton`` (scrambled), ``lhs``: see ``scipy.stats.qmc``; ``saltelli``: the
         design from which Sobol indices are computed, ``sample`` (d + 2) cases.
     seed : int
+        0 or more.
     """
     grid, drawn = [a for a in axes if not a.ends], [a for a in axes if a.ends]
     listed = cases.paths if cases is not None else ()
     before = len(problems)
     _check(grid, drawn, listed, sample, method, problems)
+    if seed < 0:
+        problems.add((), "not a seed", seed, "a whole number, 0 or more", "--seed")
     if len(problems) > before:
         return None
     count = sample if sample is not None and drawn else 1

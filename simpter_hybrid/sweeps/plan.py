@@ -10,12 +10,13 @@ from typing import Any
 
 from ..engines import ENGINES
 from ..files.scenario_text import resolve
+from ..measuring.metrics import instants
 from ..problems import CompiledUnavailable, InvalidInput, Problem, Problems
 from ..scenario import Scenario
 from ..units import QuantityError, parse_quantity
 from .axis import Axis, axis_of, listed, number_of, quantity_text, read_axis
 from .base import Base, base_of, content, fingerprint
-from .brief import OwnMeasure
+from .brief import FEWEST, OwnMeasure
 from .case import case_name
 from .code_version import code_version
 from .design import Design, design, read_cases
@@ -28,6 +29,8 @@ MEASURES = ("brief", "all")
 TRIED = 40
 #: Rows on which the measures of one run are taken.
 MOST_ROWS = 2_000_000
+#: Where a scenario has the end of its runs.
+END = "run.t_end"
 
 Vary = Mapping[str, str | Sequence[str | float]] | Sequence[str]
 
@@ -102,9 +105,11 @@ def make_plan(request: Request, more: Sequence[Problem] = ()) -> Plan:
     try:
         base = base_of(request.scenario, request.overrides)
         scenario = base.scenario()
-        more += _check_engine(request.engine, step, scenario)
+        more += _check_engine(request.engine, scenario)
+        if found is None or END not in found.paths:
+            more += _check_step(step, scenario)
         if found is not None:
-            more += _try_values(base, found, identities)
+            more += _try_values(base, found, step, identities)
     except InvalidInput as error:
         more += error.problems
     if len(problems) or more or found is None:
@@ -203,12 +208,22 @@ def _check_options(request: Request, problems: Problems) -> float:
     return step
 
 
-def _check_engine(engine: str, step: float, scenario: Scenario) -> list[Problem]:
-    found = []
-    if step > 0.0 and scenario.t_end / step > MOST_ROWS:
-        what = f"{scenario.t_end:g} s would have more than {MOST_ROWS} instants"
-        right = f"a step of at least {scenario.t_end / MOST_ROWS:.2g} s"
-        found.append(Problem("--step", "", what, f"{step:g} s", right))
+def _check_step(step: float, scenario: Scenario) -> list[Problem]:
+    """The problem of a step that does not suit the longest run of a scenario."""
+    t_end = scenario.t_end
+    if step > 0.0 and t_end / step > MOST_ROWS:
+        what = f"{t_end:g} s would have more than {MOST_ROWS} instants"
+        right = f"a step of at least {t_end / MOST_ROWS:.2g} s"
+        return [Problem("--step", "", what, f"{step:g} s", right)]
+    if step > 0.0 and len(instants(t_end, step)) < FEWEST:
+        what = f"{t_end:g} s would have fewer than {FEWEST} instants"
+        right = f"a step of at most {t_end / (FEWEST - 1):g} s"
+        return [Problem("--step", "", what, f"{step:g} s", right)]
+    return []
+
+
+def _check_engine(engine: str, scenario: Scenario) -> list[Problem]:
+    found: list[Problem] = []
     if engine == "compiled":
         from ..machine_code.program import Program
 
@@ -219,7 +234,9 @@ def _check_engine(engine: str, step: float, scenario: Scenario) -> list[Problem]
     return found
 
 
-def _try_values(base: Base, found: Design, identities: dict[tuple[str, str], str]) -> list[Problem]:
+def _try_values(
+    base: Base, found: Design, step: float, identities: dict[tuple[str, str], str]
+) -> list[Problem]:
     """Problems of the values varied, each tried alone and, where that fails, in its first case."""
     problems: list[Problem] = []
     for k, path in enumerate(found.paths):
@@ -238,6 +255,8 @@ def _try_values(base: Base, found: Design, identities: dict[tuple[str, str], str
                 except InvalidInput:
                     problems += [_at_vary(p, path) for p in error.problems]
                     continue
+            if path == END:
+                problems += _check_step(step, scenario)
             if number_of(value) is None:  # it may name a file: what is in it counts
                 identities[path, value] = content(resolve(scenario))
     return problems
