@@ -79,7 +79,6 @@ def start(md, o, t, y, w, rec):
         w.seen[i] = 2
         if w.mode[i] == 3:
             w.mode[i] = 2
-    switch(md, t, y, w)
     flow(md, o, t, y, w, w.k1)
     control(md, 0, t, y, w)
     switch(md, t, y, w)

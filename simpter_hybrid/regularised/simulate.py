@@ -104,7 +104,6 @@ def drive(model: Smooth, recorder: Recorder, solver: Any, rtol: float, atol: Any
     s, md, w = model.scenario, model.md, model.w
     sampled = 0
     breaks = [*s.breakpoints(), math.inf]
-    switch(md, 0.0, model.y, w)
     act(model, 0, 0.0)
     switch(md, 0.0, model.y, w)
     seen = (2,) * md.m
