@@ -3,6 +3,7 @@
 import argparse
 import io
 import json
+from types import SimpleNamespace
 
 import pytest
 
@@ -80,3 +81,12 @@ def test_a_directory_that_cannot_be_written_is_refused_before_anything_runs(tmp_
             call("--out", out)
         assert [problem.where for problem in caught.value.problems] == ["--out"]
     assert capsys.readouterr().out == ""
+
+
+def test_a_candidate_that_failed_is_a_failure_without_bounds_too(capsys):
+    found = SimpleNamespace(
+        as_dict=dict, rows=[SimpleNamespace(name="a", status="failed", drift=0)]
+    )
+    asked = argparse.Namespace(json=True, quiet=True, out=None)
+    assert compare.report(found, {}, asked) == 3
+    assert compare.report(found, {"drift": 1.0}, asked) == 1

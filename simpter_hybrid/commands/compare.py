@@ -118,7 +118,9 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
         print(f"check failed: {line}", file=sys.stderr)
     if unsaid is not None and not broken:
         raise unsaid
-    return CHECK_FAILED if broken else DONE
+    if broken:
+        return CHECK_FAILED
+    return FAILED if any(row.status == "failed" for row in found.rows) else DONE
 
 
 def check_directory(out: str | None, force: bool, problems: Any) -> None:

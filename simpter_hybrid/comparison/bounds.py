@@ -20,20 +20,33 @@ BOUNDED = {
     "wrong": "",
     "absent": "",
 }
+#: Why a finished run may lack it.
+UNKNOWN = {"energy_created": "the device does not tell its potential energy"}
 
 
 class Exceeded(NamedTuple):
-    """A bound that a candidate does not keep; ``value`` None: its run failed."""
+    """A bound that a candidate does not keep.
+
+    Parameters
+    ----------
+    candidate, name : str
+    value : float or None
+        None where there is none to compare.
+    bound : float
+    why : str
+        Of such a value.
+    """
 
     candidate: str
     name: str
     value: float | None
     bound: float
+    why: str = ""
 
     def __str__(self) -> str:
         unit = f" {BOUNDED[self.name]}" if BOUNDED[self.name] else ""
         if self.value is None:
-            return f"{self.candidate}: the run failed, so {self.name} has no value to bound"
+            return f"{self.candidate}: {self.why}, so {self.name} has no value to bound"
         return (
             f"{self.candidate}: {self.name} is {self.value:.3g}{unit}, above {self.bound:g}{unit}"
         )
@@ -41,6 +54,8 @@ class Exceeded(NamedTuple):
 
 def exceeded(comparison: Comparison, bounds: dict[str, float]) -> list[Exceeded]:
     """Bounds that are not kept, for every candidate; magnitudes are compared.
+
+    What is not known keeps no bound.
 
     Raises
     ------
@@ -54,7 +69,9 @@ def exceeded(comparison: Comparison, bounds: dict[str, float]) -> list[Exceeded]
                 raise KeyError(f"{name!r} cannot be bounded; one of {', '.join(BOUNDED)}")
             value = getattr(row, name)
             if row.status == "failed":
-                found.append(Exceeded(row.name, name, None, bound))
-            elif value is not None and not abs(value) <= bound:
+                found.append(Exceeded(row.name, name, None, bound, "the run failed"))
+            elif value is None:
+                found.append(Exceeded(row.name, name, None, bound, UNKNOWN[name]))
+            elif not abs(value) <= bound:
                 found.append(Exceeded(row.name, name, float(value), bound))
     return found
