@@ -24,6 +24,7 @@ from ..trajectory import Event, Trajectory
 from ..versions import own_version
 from .json_text import json_text, plain
 from .run_directory import BESIDE, MARK, digests, run_directory
+from .same_scenario import difference, difference_from, identity
 from .scenario_file import parse
 
 FORMAT = "simpter_hybrid run 1"
@@ -163,9 +164,13 @@ def load(directory: str | Path, scenario: Scenario | None = None) -> Trajectory:
             f"{directory / MARK} was written by another version of the program; "
             "run the scenario again"
         )
-    _check_parameters(directory, scenario, told["parameters"])
+    ran = about.pop("scenario", {})  # not in runs that were saved before it was compared
+    _refuse_if(_parameter_changed(scenario, told["parameters"]), directory)
+    _refuse_if(difference(scenario, ran), directory)
     events = tuple(_event(entry) for entry in told["events"])
-    return Trajectory(**arrays, **about, events=events, scenario=scenario)
+    run = Trajectory(**arrays, **about, events=events, scenario=scenario)
+    _refuse_if(difference_from(scenario, run), directory)
+    return run
 
 
 def _event(entry: dict[str, Any]) -> Event:
@@ -186,14 +191,20 @@ def _scenario_of(directory: Path) -> Scenario:
         ) from None
 
 
-def _check_parameters(directory: Path, scenario: Scenario, ran: Mapping[str, float]) -> None:
+def _parameter_changed(scenario: Scenario, ran: Mapping[str, float]) -> str:
     given = dict(zip(scenario.parameter_names(), scenario.parameter_values(), strict=True))
     for name in [*ran, *given]:
         if ran.get(name) != given.get(name):
-            raise StoredRunError(
-                f"the scenario is not the one that was run in {directory}: {name} is "
-                f"{given.get(name)}, but was {ran.get(name)} (SI)"
-            )
+            return f"{name} is {given.get(name)}, but was {ran.get(name)} (SI)"
+    return ""
+
+
+def _refuse_if(changed: str, directory: Path) -> None:
+    if changed:
+        raise StoredRunError(
+            f"the scenario is not the one that was run in {directory}: {changed}; give that one, "
+            "or run this one anew"
+        )
 
 
 def trajectory_bytes(trajectory: Trajectory) -> bytes:
@@ -204,6 +215,7 @@ def trajectory_bytes(trajectory: Trajectory) -> bytes:
         "parameters": dict(
             zip(scenario.parameter_names(), scenario.parameter_values(), strict=True)
         ),
+        "scenario": identity(scenario),
     }
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_STORED) as archive:
