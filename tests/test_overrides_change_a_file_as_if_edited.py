@@ -1,9 +1,11 @@
 """``--set path=value`` gives what the file would give had it been written so."""
 
+import re
 import tomllib
 
 import pytest
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.files.tomlfile import parse_toml
 from simpter_hybrid.problems import InvalidInput
 
@@ -72,3 +74,10 @@ def test_a_problem_with_an_overridden_value_is_placed_at_the_override(override, 
     problems.add(path, "wrong", 1, "right")
     with pytest.raises(InvalidInput, match=f"^--set {override.split('=')[0]}: "):
         problems.raise_if_any()
+
+
+def test_what_a_refusal_recommends_is_accepted():
+    with pytest.raises(InvalidInput) as caught:
+        load("line-y24", ["run.t_end"])
+    recommended = re.search(r"e\.g\. (\S+=\".*\")", caught.value.problems[0].right)
+    assert load("line-y24", [recommended[1]]).t_end == 2.0

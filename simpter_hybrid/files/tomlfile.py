@@ -41,7 +41,7 @@ def read_toml(file: str | os.PathLike, overrides: Sequence[str] = ()) -> TomlFil
     file : path
         ``-`` is standard input.
     overrides : sequence of str
-        ``path=value``, e.g. ``"load.amplitude=5 lbf"``, ``"effects.0.rise=0.2"``. The value is
+        ``path=value``, e.g. ``"loads.0.along=5 lbf"``, ``"effects.0.rise=0.2"``. The value is
         TOML, or else text: ``5 lbf`` needs no quotes. Tables that are missing are made.
 
     Returns
@@ -182,7 +182,7 @@ def _override(file: TomlFile, text: str) -> None:
     else:
         what = "not an override (no =)"
     if not equals:
-        right = 'path=value, e.g. load.amplitude="5 lbf"'
+        right = 'path=value, e.g. run.t_end="2 s"'
         return file.problems.add((), what, text, right, where)
 
     node: Any = file.data
