@@ -15,8 +15,8 @@ class Slots:
 
     def __init__(self, kinds: Mapping[str, str], **values: Any) -> None:
         self.kinds = kinds
-        self.places = {name: k for k, name in enumerate(self.kinds)}
-        self.integers = np.zeros(len(self.kinds), dtype=INTEGER)
+        self.places = dict(zip(kinds, range(len(kinds)), strict=True))
+        self.integers = np.zeros(len(kinds), dtype=INTEGER)
         self.floats = self.integers.view(float)
         self.alive: list[np.ndarray] = []
         for name, value in values.items():
@@ -32,7 +32,8 @@ class Slots:
         else:
             array = np.ascontiguousarray(value, dtype=float if kind == "A" else INTEGER)
             self.alive.append(array)
-            self.integers[at] = array.ctypes.data
+            # No address is asked for where there is nothing: it costs more than the rest.
+            self.integers[at] = array.ctypes.data if array.size else 0
 
     @property
     def address(self) -> int:

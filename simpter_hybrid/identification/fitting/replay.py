@@ -133,8 +133,8 @@ class Replay:
     before : Replay or None
         Piece before this one of the same run, whose rows go on in this one: see `led_in`.
     memo : dict
-        What a rig has worked out of its inputs and would work out again hundreds of times in a fit;
-        each entry holds the inputs that it is of.
+        What was worked out of its inputs and would be worked out again hundreds of times in a fit;
+        each entry holds what it is of.
     """
 
     name: str
@@ -159,9 +159,7 @@ class Replay:
     stamp: float = 0.0
     laid_down: Mapping[str, np.ndarray] = field(default_factory=dict)
     before: Replay | None = None
-    memo: dict[float, tuple[Mapping, np.ndarray]] = field(
-        default_factory=dict, compare=False, repr=False
-    )
+    memo: dict[tuple, tuple] = field(default_factory=dict, compare=False, repr=False)
 
     @property
     def compared(self) -> bool:

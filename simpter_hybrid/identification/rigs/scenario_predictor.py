@@ -14,13 +14,14 @@ from ...checks.effect_check import check_effects
 from ...effect import Effect
 from ...problems import Problems
 from ...scenario import Scenario
-from ..fitting.effort import Effort
+from ..fitting.effort import AROUND, Effort
 from ..fitting.predictor import Candidate, Parameter
 from ..fitting.replay import Replay
 from .declared_off import shared_numbers
 from .effect_candidate import EffectCandidate
 from .following import begun_in_motion, following, with_room
 from .free_start import begun_near
+from .packed import packed
 from .rig import Rig
 from .scenario_runner import GivenRun, ScenarioRunner, in_threads
 from .sensor_errors import with_errors
@@ -250,10 +251,10 @@ class ScenarioPredictor:
         p = self._with_more(following(p, names, effects, run), {**values, **own}, run.added)
         replay = self.rig.driven(run, self.sensed(values))
         p = begun_in_motion(p, names, effects, partial(self.rig.told_in_motion, replay))
-        period = self.runner.scenario.period
-        if self._stages == 1:  # another one of the model's may act in between
-            period = self.rig.period(replay, period, len(self.runner.scenario.controllers) > 1)
-        data = self.rig.pack(replay, period)
+        scenario, alone = self.runner.scenario, self._stages == 1
+        # Another stage of the model's may act between the rows.
+        staged = len(scenario.controllers) > 1 if alone else None
+        period, data = packed(self.rig, replay, scenario.period, staged)
         restarts, start = self.rig.restarts(replay), self.rig.start(replay)
         given = GivenRun(
             p, switching, data, replay.time, restarts, start, period, self.rig.excited(replay)
@@ -275,7 +276,7 @@ class ScenarioPredictor:
         found: dict[str, list[np.ndarray]] = {}
         runs = simulated_runs(replays, self.remembers)
         for made, (driven, channels, steps) in zip(runs, in_threads(one, runs), strict=True):
-            self.effort.add(steps)
+            self.effort.add(steps + AROUND)
             for i, first in made.parts:
                 shown = {n: v[first : first + replays[i].time.size] for n, v in channels.items()}
                 alone = driven if made.run is replays[i] else replays[i]

@@ -187,10 +187,7 @@ class TipRig(Rig):
         """The record as `ReplayedCommands` and `ReplayedTipForce` read it.
 
         What a tick commands shows in the first row at or after it, however the map has rows held.
-        Kept in the replay's memo: a fit asks for it hundreds of times.
         """
-        if period in replay.memo and replay.memo[period][0] is replay.inputs:
-            return replay.memo[period][1]
         time = replay.time
         step = row_step(time)
         count = max(1, int(np.ceil(time[-1] / period)))
@@ -205,9 +202,7 @@ class TipRig(Rig):
             curves.append(np.interp(knots, time, smoothed(force, step, SMOOTHED)))
             curves.append(np.interp(knots, time, derivative(force, step, SMOOTHED)))
         head = [count, len(told), knots.size, period]
-        made = np.concatenate([head, commands.ravel(), np.column_stack(curves).ravel()])
-        replay.memo[period] = replay.inputs, made
-        return made
+        return np.concatenate([head, commands.ravel(), np.column_stack(curves).ravel()])
 
     def start(self, replay: Replay) -> np.ndarray:
         """q and qd at the first sample."""
