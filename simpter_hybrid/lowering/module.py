@@ -15,6 +15,7 @@ import llvmlite.binding as llvm
 from llvmlite import ir
 
 from . import circular
+from .assigned import check_assigned
 from .expressions import KNOWN, LIBRARY
 from .functions import Body
 from .kinds import F64, I64, Unsupported, result_type, types_of
@@ -129,14 +130,17 @@ class Translation:
         """
         types = [t for kind in args for t in types_of(kind)]
         kinds: dict[str, Any] = {}
+        source = space.functions[name]
         for attempt in range(8):
             result = kinds.get("return")
             made_type = result_type("none" if result is None else result)
             f = ir.Function(self.ir, ir.FunctionType(made_type, types), f"{symbol}.{attempt}")
             f.linkage = "internal"
             f.attributes.add("nounwind")
-            body = Body(self, space, space.functions[name], kinds)
+            body = Body(self, space, source, kinds)
             try:
+                if attempt == 0:
+                    check_assigned(source)
                 body.translate(f, args)
             except Unsupported as error:
                 raise Unsupported(f"in {name}: {error}") from error
