@@ -31,13 +31,22 @@ def extremes(x, y):
     return max(x, y, 0.25) - 2.0 * min(x, y) + max(1, int(x)) + float(int(y))
 
 
+def operands(x, y):
+    k = (x > 0.0 and y) or 0.25
+    both = x and y and 2
+    if not (x or (y > 1.0 and k)):
+        both += 1.0
+    return k + 10.0 * both + (y or x or 1)
+
+
 def powers(x, y):
     return x**2 - y**3 + abs(x) ** 1.5 + 2.0**y + x / (1.0 + y * y)
 
 
 def functions(x, y):
     a = math.sin(x) * math.cos(y) + math.atan2(y, x) + math.hypot(x, y) + math.tanh(x)
-    return a + math.exp(-abs(x)) + math.log(1.0 + y * y) + math.floor(x) + x % 0.7 + math.pi
+    a += math.log(1.0 + y * y) + math.log(1.0 + y * y, 2.0 + x * x)
+    return a + math.exp(-abs(x)) + math.floor(x) + x % 0.7 + math.pi
 
 
 def loops(x, y):
@@ -76,7 +85,7 @@ def arrays(x, y, s):
     return s[0] + s[2]
 
 
-FLOATS = (comparisons, extremes, powers, functions, loops, two)
+FLOATS = (comparisons, extremes, operands, powers, functions, loops, two)
 
 
 def compiled(*wanted, kinds):
@@ -124,3 +133,38 @@ def downwards(x, y):
 def test_a_loop_whose_direction_is_not_known_beforehand_is_refused():
     with pytest.raises(Unsupported, match=r"the step of range.* is a whole number, written out"):
         compiled(downwards, kinds=("f", "f"))
+
+
+def too_many(x, y):
+    return math.hypot(x, y, 12.0)
+
+
+def from_the_end(x, y, s):
+    return x + y + s[-1]
+
+
+@pytest.mark.parametrize(
+    ("function", "said"),
+    [
+        (too_many, r"3 arguments where 2 would be right \('math.hypot"),
+        (from_the_end, "an index counts from the beginning"),
+    ],
+)
+def test_what_would_mean_something_else_is_refused(function, said):
+    with pytest.raises(Unsupported, match=said):
+        compiled(function, kinds=("f", "f", "A")[: function.__code__.co_argcount])
+
+
+def hidden(x, y):
+    return max(x, math.sqrt(y), 0.0) + min(math.sqrt(y), x)
+
+
+def hidden_behind(x, y):
+    return min(x, max(0.0, 1.0 + math.sqrt(y)))
+
+
+@pytest.mark.parametrize("function", [hidden, hidden_behind])
+def test_no_extreme_hides_what_python_refuses(function):
+    call = compiled(function, kinds=("f", "f"))
+    assert math.isnan(call(3.0, -0.1))
+    assert call(3.0, 0.25) == function(3.0, 0.25)

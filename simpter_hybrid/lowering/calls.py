@@ -12,6 +12,12 @@ from .kinds import F64, I64, Unsupported, Value, convert, join, result_type, typ
 
 INFINITY = F64(float("inf"))
 
+#: How many arguments functions of ``math`` take, and names beside those of ``expressions``; 1 else.
+COUNTS: dict[str, tuple[int, ...]] = {
+    "pow": (2,), "copysign": (2,), "atan2": (2,), "hypot": (2,), "fmod": (2,), "log": (1, 2),
+    **dict.fromkeys(("floor", "ceil", "isfinite", "isnan", "isinf", "radians", "degrees"), (1,)),
+}  # fmt: skip
+
 
 class Calls(Expressions):
     """Expressions with calls."""
@@ -58,6 +64,7 @@ class Calls(Expressions):
     def model_call(self, f: ast.Attribute, node: ast.Call) -> Value:
         """A call of one of the model's functions, direct or through its address."""
         kinds, result = self.module.model_kinds[f.attr]
+        self.expect(node, (len(kinds),))
         args = [
             Value(kind, convert(self.b, self.value(a), kind))
             for kind, a in zip(kinds, node.args, strict=True)
@@ -75,12 +82,17 @@ class Calls(Expressions):
         Raises
         ------
         Unsupported
-            If there is no function of that name.
+            If there is no function of that name, or not with so many arguments.
         """
-        if name in ("floor", "ceil"):
-            found = self.b.call(self.module.known(name), [self.as_kind(node.args[0], "f")])
-            return Value("i", self.b.fptosi(found, I64))
+        if name not in COUNTS and name not in (*KNOWN, *LIBRARY):
+            raise Unsupported(f"the function {name!r} is not known", node)
+        self.expect(node, COUNTS.get(name, (1,)))
         args = [self.as_kind(a, "f") for a in node.args]
+        if name in ("floor", "ceil"):
+            return Value("i", self.b.fptosi(self.b.call(self.module.known(name), args), I64))
+        if name == "log" and len(args) == 2:
+            over, under = (self.b.call(self.module.known(name), [a]) for a in args)
+            return Value("f", self.b.fdiv(over, under))
         if name in ("isfinite", "isnan", "isinf"):
             if name == "isnan":
                 return Value("b", self.b.fcmp_unordered("uno", args[0], args[0]))
@@ -95,11 +107,22 @@ class Calls(Expressions):
             return Value("f", self.b.call(self.module.circular(name), args))
         if name in KNOWN:
             return Value("f", self.b.call(self.module.known(name), args))
-        if name in LIBRARY:
-            return Value("f", self.b.call(self.module.library(name, len(args)), args))
-        raise Unsupported(f"the function {name!r} is not known", node)
+        return Value("f", self.b.call(self.module.library(name, len(args)), args))
+
+    def expect(self, node: ast.Call, counts: tuple[int, ...]) -> None:
+        """Refuse a call with a number of arguments that is none of ``counts``.
+
+        Raises
+        ------
+        Unsupported
+            With the number that would be right.
+        """
+        if len(node.args) not in counts:
+            right = " or ".join(str(count) for count in counts)
+            raise Unsupported(f"{len(node.args)} arguments where {right} would be right", node)
 
     def builtin_abs(self, node: ast.Call) -> Value:
+        self.expect(node, (1,))
         found = self.value(node.args[0])
         if found.kind == "f":
             return Value("f", self.b.call(self.module.known("fabs"), [found.ll]))
@@ -107,15 +130,18 @@ class Calls(Expressions):
         return Value("i", self.b.select(self.b.icmp_signed("<", ll, I64(0)), self.b.neg(ll), ll))
 
     def builtin_int(self, node: ast.Call) -> Value:
+        self.expect(node, (1,))
         found = self.value(node.args[0])
         if found.kind == "f":
             return Value("i", self.b.fptosi(found.ll, I64))
         return Value("i", convert(self.b, found, "i"))
 
     def builtin_float(self, node: ast.Call) -> Value:
+        self.expect(node, (1,))
         return Value("f", self.as_kind(node.args[0], "f"))
 
     def builtin_bool(self, node: ast.Call) -> Value:
+        self.expect(node, (1,))
         return Value("b", self.as_kind(node.args[0], "b"))
 
     def builtin_min(self, node: ast.Call) -> Value:
@@ -125,7 +151,10 @@ class Calls(Expressions):
         return self.extreme(node, ">")
 
     def extreme(self, node: ast.Call, word: str) -> Value:
-        """The first of the least (greatest), as Python's ``min`` (``max``).
+        """The first of the least (greatest), as Python's ``min`` (``max``), or what is no number.
+
+        What Python refuses (the root of a negative number) is no number here, and none of those
+        that it is compared with may hide it from the engine, wherever it stands among them.
 
         Raises
         ------
@@ -142,5 +171,8 @@ class Calls(Expressions):
         for v in values[1:]:
             other = convert(self.b, v, kind)
             compare = self.b.fcmp_ordered if kind == "f" else self.b.icmp_signed
-            best = self.b.select(compare(word, other, best), other, best)
+            better = compare(word, other, best)
+            if kind == "f" and not isinstance(other, ir.Constant):
+                better = self.b.or_(better, self.b.fcmp_unordered("uno", other, other))
+            best = self.b.select(better, other, best)
         return Value(kind, best)

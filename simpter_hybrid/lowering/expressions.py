@@ -149,8 +149,10 @@ class Expressions:
         Raises
         ------
         Unsupported
-            If the index is not an integer.
+            If the index is not an integer, or counts from an end, which is not known here.
         """
+        if isinstance(index, ast.UnaryOp) and isinstance(index.op, ast.USub):
+            raise Unsupported("an index counts from the beginning: from 0 on", index)
         found = self.value(index)
         if found.kind not in ("i", "b"):
             raise Unsupported("an index must be an integer: use int(...)", index)
@@ -235,22 +237,36 @@ class Expressions:
         return Value("b", found)
 
     def on_BoolOp(self, node: ast.BoolOp) -> Value:  # noqa: N802
-        found = self.as_kind(node.values[0], "b")
+        """The operand that decides ``a and b`` or ``a or b``; those behind it are not evaluated."""
         both = isinstance(node.op, ast.And)
-        for other in node.values[1:]:
-            here = self.b.block
-            more, end = self.b.append_basic_block(), self.b.append_basic_block()
-            self.b.cbranch(found, more if both else end, end if both else more)
-            self.b.position_at_end(more)
-            second = self.as_kind(other, "b")
-            last = self.b.block
-            self.b.branch(end)
-            self.b.position_at_end(end)
-            phi = self.b.phi(BIT)
-            phi.add_incoming(BIT(0 if both else 1), here)
-            phi.add_incoming(second, last)
-            found = phi
-        return Value("b", found)
+        end = self.b.append_basic_block()
+        found, tests, ends = [], [], []
+        for k, operand in enumerate(node.values):
+            found.append(self.value(operand))
+            ends.append(self.b.block)
+            if k + 1 < len(node.values):
+                tests.append((convert(self.b, found[-1], "b"), self.b.append_basic_block()))
+                self.b.position_at_end(tests[-1][1])
+        kind = found[0].kind
+        for one in found[1:]:
+            kind = join(kind, one.kind, node)
+        lls = []
+        for one, here, test in zip(found, ends, [*tests, None], strict=True):
+            self.b.position_at_end(here)
+            lls.append(convert(self.b, one, kind))
+            if test is None:
+                self.b.branch(end)
+            else:
+                self.b.cbranch(test[0], *((test[1], end) if both else (end, test[1])))
+        return self.meet(kind, end, ends, lls)
+
+    def meet(self, kind: Any, block: Any, ends: list[Any], lls: list[Any]) -> Value:
+        """The value with which each of several blocks has come to ``block``, which goes on."""
+        self.b.position_at_end(block)
+        phi = self.b.phi(result_type(kind))
+        for end, ll in zip(ends, lls, strict=True):
+            phi.add_incoming(ll, end)
+        return Value(kind, phi)
 
     def on_IfExp(self, node: ast.IfExp) -> Value:  # noqa: N802
         test = self.as_kind(node.test, "b")
@@ -267,11 +283,7 @@ class Expressions:
             self.b.position_at_end(end)
             lls.append(convert(self.b, one, kind))
             self.b.branch(blocks[2])
-        self.b.position_at_end(blocks[2])
-        phi = self.b.phi(result_type(kind))
-        for end, ll in zip(ends, lls, strict=True):
-            phi.add_incoming(ll, end)
-        return Value(kind, phi)
+        return self.meet(kind, blocks[2], ends, lls)
 
     def on_Tuple(self, node: ast.Tuple) -> Value:  # noqa: N802
         parts = [self.value(e) for e in node.elts]

@@ -233,6 +233,7 @@ class Body(Calls):
         call = s.iter
         if not (isinstance(call, ast.Call) and ast.unparse(call.func) == "range"):
             raise Unsupported("loops run over range(...) only", s.iter)
+        self.expect(call, (1, 2, 3))
         bounds = [self.as_kind(a, "i") for a in call.args]
         first, last = (I64(0), bounds[0]) if len(bounds) == 1 else bounds[:2]
         step = bounds[2] if len(bounds) == 3 else I64(1)
