@@ -10,7 +10,7 @@ import numpy as np
 from .kernel.instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, switch
 from .kernel.records import ENDS
 from .kernel.rules import first_fallen
-from .running.blame import failing_function, part_of
+from .running.blame import part_failure
 from .running.locking import contradiction
 from .running.recorder import Recorder, SimulationFailure
 from .running.segment import Run, integrate
@@ -43,12 +43,11 @@ def simulate(scenario: Scenario, progress: Callable[[float], None] | None = None
         status, message = "failed", str(failure)
     except KeyboardInterrupt:
         status, message = "interrupted", f"interrupted at t = {run.t!r} s"
-    except (ArithmeticError, ValueError, LookupError, TypeError) as error:
-        name = part_of(failing_function(error) or "")
-        if name is None:
+    except Exception as error:  # whatever a user's part does
+        said = part_failure(error, run.t)
+        if said is None:
             raise
-        what = f"{type(error).__name__}: {error}"
-        status, message = "failed", f"after t = {run.t!r} s {name[0]} failed ({what})"
+        status, message = "failed", said
     recorder.close(run.t)
     return recorder.trajectory(run.y, status, message, statistics(run, recorder), "reference")
 

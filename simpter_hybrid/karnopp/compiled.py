@@ -23,6 +23,7 @@ from ..machine_code.slots import INTEGER, Slots
 from ..problems import CompiledUnavailable
 from ..scenario import Scenario
 from . import records
+from .gathering import Ended
 
 #: The simulator's modules, in any order.
 MODULES = (
@@ -110,8 +111,8 @@ class Compiled:
         )  # fmt: skip
         self.breaks = np.array(scenario.breakpoints(), dtype=float)
 
-    def drive(self, o: records.Options, rec: records.Record) -> tuple[int, float, int, Any]:
-        """One run into ``rec``; returns status, instant, stop condition, final state."""
+    def drive(self, o: records.Options, rec: records.Record) -> Ended:
+        """One run into ``rec``."""
         work = {
             "A": np.zeros(length_of(self.places, "A")),
             "I": np.zeros(length_of(self.places, "I"), INTEGER),
@@ -127,4 +128,4 @@ class Compiled:
             self.md.address, options.address, self.breaks.ctypes.data, work["A"].ctypes.data,
             work["I"].ctypes.data, y.ctypes.data, record.address,
         )  # fmt: skip
-        return status, float(rec.end[0]), int(rec.n[records.WHICH]), y
+        return Ended(status, float(rec.end[0]), int(rec.n[records.WHICH]), y)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -10,6 +10,9 @@ from ..scenario import Scenario
 from ..trajectory import Event, Trajectory
 from . import records
 from .run import CHATTER, FINISHED, FULL, NOT_FINITE, SINGULAR, STOPPED
+
+#: Status of a run that an exception of a part has ended.
+PART_FAILED = 11
 
 #: Why a run fails, by status.
 FAILURES = {
@@ -39,8 +42,35 @@ def empty_record(scenario: Scenario, steps: int, segments: int, grid: Any) -> re
     )  # fmt: skip
 
 
-def outcome(scenario: Scenario, status: int, t: float, which: int) -> tuple[str, str]:
+class Ended(NamedTuple):
+    """How a run has ended.
+
+    Parameters
+    ----------
+    status : int
+        As in ``karnopp.run``, or ``PART_FAILED``.
+    t : float
+        Instant at which it ended [s].
+    which : int
+        Stop condition that ended it, from 0; -1 if none did.
+    y : array (ny,)
+        State there.
+    said : str
+        What a part's failure is called.
+    """
+
+    status: int
+    t: float
+    which: int
+    y: Any
+    said: str = ""
+
+
+def outcome(scenario: Scenario, ended: Ended) -> tuple[str, str]:
     """Status and message of a run."""
+    status, t, which, _, said = ended
+    if status == PART_FAILED:
+        return "failed", said
     if status == FINISHED:
         return "finished", "reached t_end"
     if status == STOPPED:
@@ -80,14 +110,12 @@ def statistics(rec: records.Record) -> dict[str, int]:
     }
 
 
-def trajectory(
-    scenario: Scenario, rec: records.Record, y: Any, status: int, t: float, which: int, engine: str
-) -> Trajectory:
+def trajectory(scenario: Scenario, rec: records.Record, ended: Ended, engine: str) -> Trajectory:
     """The record as a Trajectory."""
     z = scenario.sizes()
     K, m, ny, nh, nd = int(rec.n[records.SEGMENTS]), z["m"], z["ny"], z["nh"], z["nd"]
     S = min(int(rec.n[records.STEPS]), len(rec.step_t))
-    word, message = outcome(scenario, status, t, which)
+    word, message = outcome(scenario, ended)
     starts = rec.segment_t[:K]
     return Trajectory(
         step_t=rec.step_t[:S].copy(),
@@ -95,12 +123,12 @@ def trajectory(
         step_y=rec.step_y[: S * ny].reshape(S, ny).copy(),
         step_f=rec.step_f[: 3 * S * ny].reshape(S, 3, ny).copy(),
         step_segment=rec.step_segment[:S].copy(),
-        segment_t=np.column_stack([starts, np.append(starts[1:], t)]),
+        segment_t=np.column_stack([starts, np.append(starts, ended.t)[1:]]),
         mode=rec.mode[: K * m].reshape(K, m).copy(),
         gate=rec.gate[: K * m].reshape(K, m).copy(),
         held=rec.held[: K * nh].reshape(K, nh).copy(),
         dmode=rec.dmode[: K * nd].reshape(K, nd).copy(),
-        end=np.array(y, dtype=float),
+        end=np.array(ended.y, dtype=float),
         events=events_of(scenario, rec),
         status=word,
         message=message,

@@ -27,11 +27,12 @@ Model = namedtuple(
 #: state of clutches and controllers (``mode gate t_on held mem dmode``), and Karnopp's own:
 #: ``slip`` speeds, ``last`` torques of the last finished step and ``now`` of the latest evaluation,
 #: flags ``stuck``, ``over`` (at breakaway), ``flag``, modes ``seen`` and ``before``, ``speed`` the
-#: limited speeds, stages ``k1 ... k7``; ``count`` of evaluations; the others are scratch.
+#: limited speeds, stages ``k1 ... k7``; ``count`` of evaluations; ``reached`` the end of the last
+#: step [s]; the others are scratch.
 Work = namedtuple(
     "Work",
     "M C c f Q fr qdd tau s mode gate t_on held mem dmode slip last now stuck over flag seen "
-    "before speed rhs x r d e along weight a k1 k2 k3 k4 k5 k6 k7 y_new y_try out count",
+    "before speed rhs x r d e along weight a k1 k2 k3 k4 k5 k6 k7 y_new y_try out count reached",
 )
 
 #: What a run leaves behind.  ``n``: events, segments, steps, evaluations, rejected steps, steps
@@ -76,5 +77,5 @@ def work_arrays(shared, n, m, ny, ng, reals, integers):
         e=reals(k), a=reals(k * k), along=reals(k), weight=reals(k), k1=reals(ny),
         k2=reals(ny), k3=reals(ny), k4=reals(ny), k5=reals(ny), k6=reals(ny),
         k7=reals(ny), y_new=reals(ny), y_try=reals(ny),
-        out=reals(2 * m + ng + 1), count=integers(4),
+        out=reals(2 * m + ng + 1), count=integers(4), reached=reals(1),
     )  # fmt: skip

@@ -172,6 +172,7 @@ def reach(md, o, t, target, size, which, x, y, w):
         t = target if t + size >= target else t + size
     for j in range(md.ny):
         y[j] = w.y_new[j]
+    w.reached[0] = t
     if which >= o.stops:
         # What samples and clutches look at belongs to the end of the step.
         flow(md, o, t, y, w, w.k7)

@@ -7,10 +7,19 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
+from ..running.blame import part_failure
 from ..scenario import Scenario
 from ..trajectory import Event, Trajectory
 from . import records
-from .gathering import empty_record, events_of, outcome, statistics, trajectory
+from .gathering import (
+    PART_FAILED,
+    Ended,
+    empty_record,
+    events_of,
+    outcome,
+    statistics,
+    trajectory,
+)
 from .run import FULL, run
 from .settings import Settings
 
@@ -50,7 +59,8 @@ def simulate(scenario: Scenario, band: float = 1e-3, **settings: Any) -> Traject
     Trajectory
         With cubic Hermite steps. A clutch counts as stuck while its slip is inside the band and
         its torque is below breakaway; changes of mode are logged at ends of steps. ``status`` is
-        ``failed`` where the state left the finite numbers or the record outgrew its limit.
+        ``failed`` where the state left the finite numbers, a part raised an exception, or the
+        record outgrew its limit.
 
     Raises
     ------
@@ -71,10 +81,10 @@ def simulate(scenario: Scenario, band: float = 1e-3, **settings: Any) -> Traject
     steps, segments = int(min(1.2 * expected, MOST_STEPS)) + 4000, 4000
     while True:
         rec = empty_record(scenario, steps, segments, [])
-        status, t, which, y = ready.drive(o, rec)
-        if status != FULL or max(steps, segments) >= MOST_STEPS:
+        ended = ready.drive(o, rec)
+        if ended.status != FULL or max(steps, segments) >= MOST_STEPS:
             name = f"karnopp, band {band:g}, {chosen.solver} step"
-            return trajectory(scenario, rec, y, status, t, which, name)
+            return trajectory(scenario, rec, ended, name)
         steps, segments = min(4 * steps, MOST_STEPS), 4 * segments
 
 
@@ -96,15 +106,16 @@ def on_grid(ready: Prepared, grid: Sequence[float], settings: Settings) -> GridR
     segments = 4000
     while True:
         rec = empty_record(scenario, 0, segments, grid)
-        status, t, which, y = ready.drive(o, rec)
-        if status != FULL or segments > MOST_STEPS:
+        ended = ready.drive(o, rec)
+        if ended.status != FULL or segments > MOST_STEPS:
             break
         segments *= 8
-    states = rec.rows.reshape(-1, len(y))
-    states[int(rec.n[records.GRID]) :] = y
-    word, _ = outcome(scenario, status, t, which)
+    states = rec.rows.reshape(-1, len(ended.y))
+    states[int(rec.n[records.GRID]) :] = ended.y
+    word, _ = outcome(scenario, ended)
     return GridRun(
-        states, np.array(y), t, events_of(scenario, rec), word, statistics(rec), scenario
+        states, np.array(ended.y), ended.t, events_of(scenario, rec), word, statistics(rec),
+        scenario,
     )  # fmt: skip
 
 
@@ -113,8 +124,8 @@ class Prepared(Protocol):
 
     scenario: Scenario
 
-    def drive(self, o: records.Options, rec: records.Record) -> tuple[int, float, int, Any]:
-        """One run into ``rec``; returns status, instant, stop condition, final state.
+    def drive(self, o: records.Options, rec: records.Record) -> Ended:
+        """One run into ``rec``.
 
         Parameters
         ----------
@@ -122,17 +133,6 @@ class Prepared(Protocol):
             What ``Settings.options`` gave.
         rec : Record
             Written.
-
-        Returns
-        -------
-        status : int
-            As in ``karnopp.run``.
-        t : float
-            Instant at which it ended [s].
-        which : int
-            Stop condition that ended it, from 0; -1 if none did.
-        y : array (ny,)
-            State there.
         """
 
 
@@ -160,16 +160,22 @@ class Interpreted:
         md = scenario.python_model()
         self.md = records.Model(**{name: getattr(md, name) for name in records.Model._fields})
 
-    def drive(self, o: records.Options, rec: records.Record) -> tuple[int, float, int, Any]:
-        """One run into ``rec``; returns status, instant, stop condition, final state."""
+    def drive(self, o: records.Options, rec: records.Record) -> Ended:
+        """One run into ``rec``."""
         md = self.md
         y, shared = self.scenario.initial(list_of_reals, list_of_integers)
         w = records.work_arrays(
             shared, md.n, md.m, md.ny, md.ng, list_of_reals, list_of_integers
         )  # fmt: skip
         breaks = list(self.scenario.breakpoints())
-        status, t, which = run(md, o, breaks, w, y, rec)
-        return status, t, which, y
+        try:
+            status, t, which = run(md, o, breaks, w, y, rec)
+        except Exception as error:  # whatever a user's part does
+            said = part_failure(error, w.reached[0])
+            if said is None:
+                raise
+            return Ended(PART_FAILED, w.reached[0], -1, y, said)
+        return Ended(status, t, which, y)
 
 
 def list_of_reals(k: int) -> list[float]:

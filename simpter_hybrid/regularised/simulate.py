@@ -16,6 +16,7 @@ import numpy as np
 from scipy.integrate import BDF, LSODA, Radau
 
 from ..karnopp.gates import next_known, switch
+from ..running.blame import part_failure
 from ..running.failures import boundless, gave_up
 from ..running.recorder import Recorder, SimulationFailure
 from ..scenario import Scenario
@@ -71,6 +72,11 @@ def simulate(
             status, message = drive(model, recorder, SOLVERS[solver], rtol, tolerance, run)
     except SimulationFailure as failure:
         status, message = "failed", str(failure)
+    except Exception as error:  # whatever a user's part does
+        said = part_failure(error, run["t"])
+        if said is None:
+            raise
+        status, message = "failed", said
     recorder.close(run["t"])
     counts = {
         "segments": len(recorder.segment_t), "steps": len(recorder.step_t),

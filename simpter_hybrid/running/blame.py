@@ -65,6 +65,22 @@ def failing_function(error: BaseException) -> str | None:
     return found
 
 
+def part_failure(error: Exception, t: float) -> str | None:
+    """What ended a run, in words; None if the exception is of no part, and so a fault of ours.
+
+    Parameters
+    ----------
+    error : Exception
+        As caught, with its traceback.
+    t : float
+        Instant that the run had reached [s].
+    """
+    name = part_of(failing_function(error) or "")
+    if name is None:
+        return None
+    return f"after t = {t!r} s {name[0]} failed ({type(error).__name__}: {error})"
+
+
 def first_not_finite(call: Callable[[], Any]) -> str | None:
     """Name of the first part's function that hands back a number that is not finite.
 
