@@ -126,6 +126,11 @@ def plot(trajectory: Trajectory, directory: str | Path = "pictures") -> list[Pat
         Shown in the units of its scenario (``units`` in its file), else in SI units.
     directory : path
         Made if needed.
+
+    Raises
+    ------
+    ValueError
+        For a run that ended before it began: there is nothing to draw.
     """
     from .plots import DISPLAYS, plot
 

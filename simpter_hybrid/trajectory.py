@@ -98,8 +98,8 @@ class Trajectory:
 
     @property
     def t_end(self) -> float:
-        """Last instant [s]."""
-        return float(self.segment_t[-1, 1])
+        """Last instant [s]; 0.0 of a run that has no segment."""
+        return float(self.segment_t[-1, 1]) if len(self.segment_t) else 0.0
 
     def segment_at(self, t: float, side: str = "right") -> int:
         """The segment that holds ``t``; at an event the one after it (``right``) or before.
@@ -137,10 +137,10 @@ class Trajectory:
         ValueError
             If ``t`` [s] is outside the run.
         """
-        if not self.segment_t[0, 0] <= t <= self.t_end:
+        first = float(self.segment_t[0, 0]) if len(self.segment_t) else 0.0
+        if not first <= t <= self.t_end:
             raise ValueError(
-                f"t = {t} s is outside the run, which covers {self.segment_t[0, 0]} s to "
-                f"{self.t_end} s"
+                f"t = {t} s is outside the run, which covers {first} s to {self.t_end} s"
             )
         if t == self.t_end:
             return self.end.copy()

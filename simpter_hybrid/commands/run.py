@@ -149,7 +149,7 @@ def write(
             "measures in summary.json": lambda: put_summary(trajectory, partial),
             "events.csv": lambda: put_tables(trajectory, partial),
         }
-        if report and len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0:
+        if report and trajectory.t_end > 0.0:
             steps["report.html"] = lambda: draw(trajectory, partial, resolved.text, args)
         ended, left = take(steps, partial, interrupts)
     without = f", without {', '.join(left)}" if left else ""

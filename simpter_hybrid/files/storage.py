@@ -278,7 +278,7 @@ def summary(trajectory: Trajectory, measured: bool = True) -> dict[str, Any]:
     measured : bool
     """
     scenario = trajectory.scenario
-    began = len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0
+    began = trajectory.t_end > 0.0
     return {
         "format": FORMAT,
         "simpter_hybrid": own_version(),
@@ -286,7 +286,7 @@ def summary(trajectory: Trajectory, measured: bool = True) -> dict[str, Any]:
         "engine": trajectory.engine,
         "status": trajectory.status,
         "message": trajectory.message,
-        "run_time_s": trajectory.t_end if began else 0.0,
+        "run_time_s": trajectory.t_end,
         "final_state_si": dict(zip(state_names(scenario), trajectory.end.tolist(), strict=True)),
         "event_kinds": dict(sorted(Counter(event.kind for event in trajectory.events).items())),
         "statistics": dict(trajectory.statistics),

@@ -74,8 +74,10 @@ def sample(
     Raises
     ------
     ValueError
-        For instants outside the run and for other sides.
+        For instants outside the run and for other sides, and for a run that has no segment.
     """
+    if len(trajectory.segment_t) == 0:
+        raise ValueError(f"the run has no segment to sample: {trajectory.message}")
     if times is None:
         times, side = output_grid(trajectory)
     t = np.atleast_1d(np.asarray(times, dtype=float))

@@ -45,7 +45,16 @@ def figures(
         What is drawn; the default output grid when left out.
     display : Display
         Units shown.
+
+    Raises
+    ------
+    ValueError
+        For a run that ended before it began.
     """
+    if trajectory.t_end == 0.0:
+        raise ValueError(
+            f"the run has no duration, so that there is nothing to draw: {trajectory.message}"
+        )
     s = sample(trajectory) if samples is None else samples
     made = {}
     if s.tip is not None:
@@ -63,10 +72,11 @@ def figures(
 
 def plot(trajectory: Trajectory, directory: str | Path, display: Display = SI) -> list[Path]:
     """Write all pictures of a run into ``directory`` as PNG files; returns their paths."""
+    pictures = figures(trajectory, display=display)
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
     written = []
-    for name, picture in figures(trajectory, display=display).items():
+    for name, picture in pictures.items():
         written.append(directory / f"{name}.png")
         written[-1].write_bytes(png(picture))
     return written

@@ -60,7 +60,7 @@ def report_html(
     ValueError
         For a run that failed before it began.
     """
-    if len(trajectory.segment_t) == 0 or trajectory.t_end == 0.0:
+    if trajectory.t_end == 0.0:
         raise ValueError(f"the run has no duration to report on: {trajectory.message}")
     samples = sample(trajectory)
     if pictures is None:
