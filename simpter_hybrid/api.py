@@ -45,7 +45,8 @@ def run(
     engine : str
         ``reference`` or ``compiled``.
     progress : callable, optional
-        Called with the instant reached [s] (reference engine).
+        Called with the instant reached [s]; a KeyboardInterrupt raised in it ends the run and keeps
+        what there is.
 
     Returns
     -------
@@ -71,7 +72,7 @@ def run(
         from . import compiled
 
         try:
-            return compiled.simulate(scenario)
+            return compiled.simulate(scenario, progress)
         except CompiledUnavailable as error:
             raise error.invalid("engine", "engine reference") from None
     if engine != "reference":

@@ -6,6 +6,8 @@ Nothing is written twice: the kernel compiled is the source that the reference e
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from .kernel import records
@@ -19,12 +21,15 @@ from .trajectory import Event, Trajectory
 KINDS = ("start", "switched", "slip stop", "effect", "breakaway")
 
 
-def simulate(scenario: Scenario) -> Trajectory:
+def simulate(scenario: Scenario, progress: Callable[[float], None] | None = None) -> Trajectory:
     """Run a scenario with the compiled engine; the same result as ``engine.simulate``.
 
     Parameters
     ----------
     scenario : Scenario
+    progress : callable, optional
+        As for ``engine.simulate``, in runs of more than some thousand steps. Where the record has
+        no more room the run begins anew, so that instants may be told twice.
 
     Returns
     -------
@@ -36,7 +41,8 @@ def simulate(scenario: Scenario) -> Trajectory:
     CompiledUnavailable
         If llvmlite is missing or the model is too large; the message names the reference engine.
     """
-    found = Program(scenario).once(Room(1000, 1000, 2000), record=True)
+    heed = progress or (lambda t: None)
+    found = Program(scenario).once(Room(1000, 1000, 2000), heed, record=True)
     return trajectory(scenario, found)
 
 
@@ -55,6 +61,8 @@ def outcome(scenario: Scenario, status: int, t: float, why: int) -> tuple[str, s
     """
     if status == 0:
         return "finished", "reached t_end"
+    if status == records.HALTED:
+        return "interrupted", f"interrupted at t = {t!r} s"
     if status < records.STOPPED or status >= records.MANY_EVENTS:
         return "failed", f"at t = {t!r} s {_why(scenario, status, why)}"
     word = "stopped" if status == records.STOPPED else "failed"

@@ -14,7 +14,7 @@ OFF, CLOSING, ON = 0, 1, 2
 #: Why a run ends, besides 0, the end of its time: 1 to 5 as ``settle``, and these.  ``FULL`` is no
 #: end but a record without room; ``STOPPED`` and ``FAILED`` are by a guard of the model.
 NO_NUMBER, ZENO, TOO_SHORT, FULL, STOPPED, FAILED = 6, 7, 8, 9, 10, 11
-MANY_EVENTS, INCOMPATIBLE, MANY_STEPS = 20, 21, 22
+MANY_EVENTS, INCOMPATIBLE, MANY_STEPS, HALTED = 20, 21, 22, 23
 #: What a jump hands back at a stop that ends the run as meant; 3 at one that fails it.
 ENDS = 2
 #: What is logged of an event, by number (``compiled.KINDS`` in words).
@@ -59,7 +59,8 @@ def fields(**names: str) -> dict[str, str]:
 
 
 #: Records of the compiled engine, kept as 8-byte slots: kinds of their fields (``i`` integer,
-#: ``f`` float, ``A``/``I`` flat array of floats/integers); see ``simpter_hybrid.lowering``.
+#: ``v`` one that may change from outside at any time, ``f`` float, ``A``/``I`` flat array of
+#: floats/integers); see ``simpter_hybrid.lowering``.
 COMPILED = {
     #: ``Model``; its functions are addresses.
     "md": fields(
@@ -67,8 +68,10 @@ COMPILED = {
         A="p rec delay threshold",
         I="prompt smooth begins",
     ),
-    #: Options, breakpoints of the loads, restarts of the motion, and output instants of a run.
+    #: Options, breakpoints of the loads, restarts of the motion, and output instants of a run;
+    #: once ``halt`` is not 0 it ends after the step that it is at.
     "o": fields(
+        v="halt",
         f="t_end period rtol atol max_step",
         i="event_limit step_limit record nh nd nbreaks nrestarts ngrid",
         A="breaks restart_t restart_y grid rows",

@@ -9,6 +9,7 @@ from .records import (
     EVENTS,
     FALLEN,
     FULL,
+    HALTED,
     INCOMPATIBLE,
     JUMPED,
     MANY_EVENTS,
@@ -42,7 +43,8 @@ def run(md, o, rec, w, y):
     Status: 0 finished, ``STOPPED`` or ``FAILED`` by guard ``why``; 1-5 as ``settle``; ``NO_NUMBER``
     not finite; ``ZENO``; ``TOO_SHORT`` step size underflow; ``FULL`` a record is full;
     ``MANY_EVENTS`` more than ``o.event_limit``; ``INCOMPATIBLE`` clutch ``why`` is locked against
-    the others; ``MANY_STEPS`` more than ``o.step_limit`` (0: as many as it takes).
+    the others; ``MANY_STEPS`` more than ``o.step_limit`` (0: as many as it takes); ``HALTED`` by
+    ``o.halt``.
     """
     m = md.m
     t = 0.0
@@ -120,7 +122,9 @@ def flow_on(md, o, at_grid, t, target, h, count, w, y, rec):
     while t < target and which < 0:
         steps += 1
         status = 0
-        if 0 < o.step_limit <= rec.n[STEPS]:
+        if o.halt != 0:
+            status = HALTED
+        elif 0 < o.step_limit <= rec.n[STEPS]:
             status = MANY_STEPS
         elif steps % STALLED_AFTER == 0:
             if t - mark < STALLED_BELOW * o.t_end:

@@ -103,6 +103,8 @@ class Expressions:
         if fixed is not None:
             return self.constant(fixed, node)
         place, kind = self.slot(owner, node)
+        if kind == "v":
+            return Value("i", self.b.load_atomic(place, "monotonic", 8))
         found = self.load(place, "slot")
         if kind in "AI":
             found = self.b.inttoptr(found, TYPES[kind])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 from ..kernel.batch import KEPT
 from ..kernel.records import COMPILED, COUNTS, EVENTS, SEGMENTS, STEPS_KEPT
 from ..scenario import Scenario
+from .attended import attended
 from .compiling import capacity, is_kept, kernel, kernel_name, layout, model_functions
 from .slots import INTEGER, Slots
 
@@ -73,7 +75,8 @@ class Results:
 
     ``end`` (cases, ny), ``t`` (cases,), ``counts`` (cases, 8): status, guard that ended the run,
     events, segments, steps kept, guards that fell, steps; ``rows`` (cases, ngrid, width);
-    ``records``: arrays of events, segments and steps, those of all cases one behind the other.
+    ``records``: arrays of events, segments and steps, those of all cases one behind the other;
+    ``halted``: whether the call was not let end.
     """
 
     end: np.ndarray
@@ -82,12 +85,19 @@ class Results:
     rows: np.ndarray
     records: dict[str, np.ndarray]
     done: int = 0
+    halted: bool = False
 
     def kept(self, first: int, last: int) -> tuple[int, int, int]:
         """Events, segments and steps kept of cases ``first`` to ``last``."""
         counts = self.counts[first:last, COUNTS:]
         events, segments, steps = (int(counts[:, k].sum()) for k in (EVENTS, SEGMENTS, STEPS_KEPT))
         return events, segments, steps
+
+    @property
+    def reached(self) -> float:
+        """Instant that the first case's record has reached [s], also while it runs."""
+        steps = self.counts[0, COUNTS + STEPS_KEPT]
+        return float(self.records["step_t"][steps - 1]) if steps else 0.0
 
 
 class Program:
@@ -161,12 +171,15 @@ class Program:
         grid: np.ndarray | None = None,
         restarts: tuple[np.ndarray, np.ndarray] | None = None,
         step_limit: int = 0,
+        heed: Callable[[float], None] | None = None,
     ) -> Results:
         """Run cases until all are done or the record is full (``Results.done`` says how many are).
 
         ``grid`` (g,) [s]; ``restarts``: instants (k,) [s] and q, qd there (k, 2n); ``record`` keeps
         segments and steps as well as events; a case that takes more than ``step_limit`` steps has
-        failed there (0: it may take as many as it needs).
+        failed there (0: it may take as many as it needs).  ``heed`` is called now and then with the
+        instant that a recorded first case has reached [s]; a KeyboardInterrupt raised in it, or by
+        Ctrl-C meanwhile, halts the cases.
         """
         grid = np.zeros(0) if grid is None else np.ascontiguousarray(grid, dtype=float)
         at, states = restarts if restarts is not None else (np.zeros(0), np.zeros(0))
@@ -193,9 +206,17 @@ class Program:
             rows=kept.rows, end=kept.end, ends=kept.t, counts=kept.counts,
         )  # fmt: skip
         real, integer = np.zeros(self.reals), np.zeros(self.integers, INTEGER)
-        kept.done = self.run_batch(
-            md.address, o.address, rec.address, many.address, real.ctypes.data, integer.ctypes.data
-        )
+
+        def work() -> None:
+            kept.done = self.run_batch(
+                *(slots.address for slots in (md, o, rec, many)),
+                real.ctypes.data, integer.ctypes.data,
+            )  # fmt: skip
+
+        if heed is None:
+            work()
+            return kept
+        kept.halted = not attended(work, lambda: heed(kept.reached), lambda: o.set("halt", 1))
         return kept
 
     def record_arrays(self, room: Room, record: bool) -> dict[str, np.ndarray]:
@@ -211,13 +232,28 @@ class Program:
             "step_f": np.zeros(s * z["nf"] * ny),
         }  # fmt: skip
 
-    def once(self, room: Room, **more: Any) -> Results:
-        """One run of the scenario as it stands, with as much room as it takes."""
-        while True:
-            found = self.call(self.cases(1), room, **more)
-            if found.done == 1:
-                return found
+    def once(self, room: Room, heed: Callable[[float], None] | None = None, **more: Any) -> Results:
+        """One run of the scenario as it stands, with as much room as it takes.
+
+        A run that `room` is enough for is over before anything could be heeded.
+        """
+        found = self.call(self.cases(1), room, **more)
+        while found.done == 0:
             room = room.more()
+            heed = end_it if found.halted else heed  # the record was full just then
+            found = self.call(self.cases(1), room, heed=heed, **more)
+        return found
+
+
+def end_it(_t: float) -> None:
+    """Heed what came when nothing could be halted.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        Always.
+    """
+    raise KeyboardInterrupt
 
 
 def general_is_kept(scenario: Scenario) -> bool:

@@ -27,7 +27,7 @@ class Slots:
         kind, at = self.kinds[name], self.places[name]
         if kind == "f":
             self.floats[at] = value
-        elif kind == "i":
+        elif kind in "iv":
             self.integers[at] = value
         else:
             array = np.ascontiguousarray(value, dtype=float if kind == "A" else INTEGER)
