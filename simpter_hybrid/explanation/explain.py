@@ -187,21 +187,28 @@ def _without_event(trajectory: Trajectory, t: float) -> Explanation:
 
 
 def segments_around(trajectory: Trajectory) -> list[Around]:
-    """For every event the segments before and after it."""
+    """For every event the segments before and after it.
+
+    Between those of a breakaway may lie some without duration: several are one event.
+    """
     found: list[Around] = []
-    k = 0
-    count = len(trajectory.segment_t)
+    modes = [tuple(row) for row in trajectory.mode.tolist()]
+    starts = trajectory.segment_t[:, 0].tolist()
+    count, k = len(modes), 0
     for event in trajectory.events:
-        while k < count and not (
-            trajectory.segment_t[k, 0] == event.t
-            and tuple(trajectory.mode[k].tolist()) == event.after
-            and (k == 0 or tuple(trajectory.mode[k - 1].tolist()) == event.before)
-        ):
+        before = None
+        while k < count:
+            if starts[k] == event.t and modes[k] == event.after:
+                before = k - 1
+                while before > 0 and modes[before] != event.before and starts[before] == event.t:
+                    before -= 1
+                if before < 0 or modes[before] == event.before:
+                    break
             k += 1
         if k == count:
             found.append((count - 1, None))
         else:
-            found.append((k - 1 if k > 0 else None, k))
+            found.append((before if k > 0 else None, k))
             k += 1
     return found
 

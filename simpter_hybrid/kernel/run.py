@@ -207,14 +207,28 @@ def logged(md, t, kind, which, margin, y, w, rec):
             same = False
     if same and kind != BROKEN_AWAY:
         return 0
+    return write_event(m, t, kind, margin, w, rec)
+
+
+def write_event(m, t, kind, margin, w, rec):
+    """Log a transition; breakaways of one instant are one, from the modes before the first.
+
+    Returns a status.
+    """
+    width = 2 * m + 1
     at = rec.n[EVENTS]
-    if at + 1 > rec.event_room:
-        return FULL
-    rec.event_t[2 * at] = t
-    rec.event_t[2 * at + 1] = margin
-    rec.event_i[at * (2 * m + 1)] = kind
+    last = at - 1
+    again = kind == BROKEN_AWAY and at > 0
+    if not (again and rec.event_t[2 * last] == t and rec.event_i[last * width] == BROKEN_AWAY):
+        last = at
+        if at + 1 > rec.event_room:
+            return FULL
+        rec.event_t[2 * at] = t
+        rec.event_t[2 * at + 1] = margin
+        rec.event_i[at * width] = kind
+        for i in range(m):
+            rec.event_i[at * width + 1 + i] = w.before[i]
+        rec.n[EVENTS] = at + 1
     for i in range(m):
-        rec.event_i[at * (2 * m + 1) + 1 + i] = w.before[i]
-        rec.event_i[at * (2 * m + 1) + 1 + m + i] = w.mode[i]
-    rec.n[EVENTS] = at + 1
+        rec.event_i[last * width + 1 + m + i] = w.mode[i]
     return 0

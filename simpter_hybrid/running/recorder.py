@@ -94,6 +94,8 @@ class Recorder:
     def event(self, t: float, kind: str, before: tuple[int, ...], w: Any, **more: Any) -> None:
         """Log a transition, unless no clutch's mode changed (breakaways are always logged).
 
+        Breakaways of one instant are one event, from the modes before the first of them.
+
         Parameters
         ----------
         t : float
@@ -108,6 +110,11 @@ class Recorder:
             Further fields of `Event`.
         """
         after = tuple(w.mode[: self.m])
+        if kind == "breakaway" and self.events:
+            last = self.events[-1]
+            if (last.t, last.kind) == (t, kind):
+                before, more = last.before, {"margin": last.margin}
+                self.events.pop()
         changed = tuple(i + 1 for i in range(self.m) if before[i] != after[i])
         if not changed and kind != "breakaway":
             return
