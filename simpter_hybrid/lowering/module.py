@@ -139,9 +139,9 @@ class Translation:
             f.attributes.add("nounwind")
             body = Body(self, space, source, kinds)
             try:
-                if attempt == 0:
-                    check_assigned(source)
                 body.translate(f, args)
+                if not body.dirty:  # by now all its syntax is known to be the dialect's
+                    check_assigned(source)
             except Unsupported as error:
                 raise Unsupported(f"in {name}: {error}") from error
             if not body.dirty:
