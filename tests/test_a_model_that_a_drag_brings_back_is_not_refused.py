@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ToyRig, toy_replay
 
-from simpter_hybrid.identification.doubted_first import HOPELESS, _eased
 from simpter_hybrid.identification.fitting.residual import over_rest
+from simpter_hybrid.identification.hopeless import HOPELESS, _eased
 
 
 def held(name, seed):
@@ -36,3 +36,17 @@ def test_what_no_drag_brings_back_stays_hopeless():
     bench = SimpleNamespace(predictor=ToyRig(), candidates=(replace(ALONG_X, name="viscous-drag"),))
     assert np.isfinite(over_rest(ToyRig().predict({"scale": 1.0}, still), still))
     assert _eased(bench, {"scale": 1.0}, still[:1], still[1:]) is False
+
+
+@pytest.mark.parametrize(("noise", "eased"), [(1.0, True), (0.01, False)])
+def test_friction_with_which_a_model_rests_where_something_moves_is_none(noise, eased):
+    # What is measured moves by a deviation: it is that of the noise, or a hundred times it.
+    runs = [held("one", 1), held("two", 2)]
+    runs = [
+        replace(r, observed={n: replace(s, sd=noise * s.sd) for n, s in r.observed.items()})
+        for r in runs
+    ]
+    bench = SimpleNamespace(
+        predictor=ToyRig(), candidates=(replace(ALONG_X, name="friction-scale"),)
+    )
+    assert _eased(bench, {"scale": 1.0}, runs[:1], runs[1:]) is eased

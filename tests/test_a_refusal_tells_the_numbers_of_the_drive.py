@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 from axis_recordings import declared_axis
 
-from simpter_hybrid.identification.doubted_first import _of_the_drive
+from simpter_hybrid.identification.hopeless import _of_the_drive
 from simpter_hybrid.loads.drive import VoltageDrive
 
 

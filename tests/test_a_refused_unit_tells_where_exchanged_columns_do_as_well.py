@@ -5,7 +5,7 @@ from types import SimpleNamespace as Some
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification import doubted_first
+from simpter_hybrid.identification import doubted_first, hopeless
 from simpter_hybrid.identification.doubted_channels import Doubt
 from simpter_hybrid.identification.map_changes import Times
 from simpter_hybrid.identification.recordings.channel_map import ChannelMap
@@ -25,7 +25,8 @@ def said(monkeypatch, exchanged, with_unit=6.6):
     run = RecordedRun("a", "a", "a", (0, 2), np.arange(2.0), values)
     recording = Recording("file", Some(channels=CHANNELS, source="map.toml"), (run,))
     monkeypatch.setattr(Times, "made", lambda _, recording: Some(runs=()))
-    monkeypatch.setattr(doubted_first, "over_rest", lambda _, runs: runs)
+    for module in (doubted_first, hopeless):
+        monkeypatch.setattr(module, "over_rest", lambda _, runs: runs)
     made = []
 
     def error(recording, part):

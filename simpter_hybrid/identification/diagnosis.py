@@ -18,7 +18,7 @@ from .axis.speed_sensor import FAMILY
 from .benches import as_recorded, bench_of
 from .carried_over import contradicted, seen_held_out, without_harmful
 from .deviations import scaled
-from .doubted_channels import Doubt
+from .doubted_channels import Doubt, with_numbers
 from .doubted_first import doubted_first, still_doubted
 from .doubted_readings import Judged, doubted
 from .false_alarms import FalseAlarms, count_false_alarms
@@ -106,7 +106,9 @@ def diagnose(
     first = first_refit(predictor, parts["fit"], nominal)
     early = doubted_first(bench, recording, nominal, first.values, parts)
     for doubt in early:
-        remark(f"is the map right? {doubt.changed} leaves {100 * doubt.left:.0f} % of the error")
+        left = f"{doubt.changed} leaves {100 * doubt.left:.0f} % of the error"
+        others = "".join(f", {n.said} {100 * n.left:.0f} %" for n in doubt.numbers)
+        remark(f"is the map right? {left}{others}")
     if (prefix := first_far_off(predictor, parts, first.values)) is not None:
         remark(
             f"is a declared number far off? {prefix.name} {prefix.times:g} times as declared "
@@ -213,7 +215,9 @@ def _doubts(
     effects = {e.family for e in done.corrected.effects}
     again = still_doubted(early, (select, fitted), len(effects))
     asked = {d.change for d in doubts}
-    return (*doubts, *(d for d in again if d.change not in asked))
+    every = (*doubts, *(d for d in again if d.change not in asked))
+    runs = {"select": select.replays, "fit": fitted.replays}
+    return with_numbers(every, before.predictor, before.values, found.split.fit, runs)
 
 
 def left_in(

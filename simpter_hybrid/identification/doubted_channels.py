@@ -18,9 +18,11 @@ from .channel_factors import (
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
 from .map_changes import Exchanged, MapChange, Times, unit_instead
+from .numbers_instead import NumberInstead, numbers_instead
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .tracing.limits import IMPERFECT
+from .tracing.rivals import FAR_WORSE
 
 #: A channel is doubted where a factor leaves less than this part of the error: no sensor or force
 #: that is recorded rightly could be turned round, or be ten times as large, and be explained twice
@@ -49,11 +51,14 @@ class Doubt(NamedTuple):
         Part of the error that is left with the change.
     part : str
         Which runs ask: those that ``select`` or those that ``fit``.
+    numbers : tuple of NumberInstead
+        Declared numbers that do about as much, one at a time, the best first.
     """
 
     change: MapChange
     left: float
     part: str = "select"
+    numbers: tuple[NumberInstead, ...] = ()
 
     @property
     def changed(self) -> str:
@@ -150,10 +155,13 @@ def least_wrong(
     values: Mapping[str, float],
     replays: Sequence[Replay],
     error: float,
+    role: str = "input",
 ) -> Doubt | None:
     """The factor on a driving channel that leaves the least error, however much that is.
 
     None if every factor leaves more than the record as it is, or more than a drive of zero does.
+    With ``measured`` as `role` of a channel of what moves, whatever an idle one leaves: a model
+    that runs away is nearest to what moves most.
     """
 
     def left(names: Sequence[str], factor: float) -> float:
@@ -162,11 +170,43 @@ def least_wrong(
 
     found = []
     for names in quantities(recording):
-        if all(recording.channels[n].role == "input" for n in names):
-            least = min(1.0, LESS * left(names, NOTHING))
+        if all(recording.channels[n].role == role for n in names):
+            least = min(1.0, LESS * left(names, NOTHING)) if role == "input" else 1.0
             tried = {f: left(names, f) for f in factors_of_quantity(recording, names)}
             found += [Doubt(Times(names, f), so) for f, so in tried.items() if so < least]
     return min(found, key=lambda doubt: doubt.left, default=None)
+
+
+def with_numbers(
+    doubts: Sequence[Doubt],
+    predictor: Any,
+    fitted: Mapping[str, float],
+    runs: Sequence[Replay],
+    asked: Mapping[str, Sequence[Replay]],
+) -> tuple[Doubt, ...]:
+    """Doubts of units, each with the declared numbers that do about as much by themselves.
+
+    Parameters
+    ----------
+    doubts : sequence of Doubt
+    predictor : ScenarioPredictor
+        The declared model.
+    fitted : mapping of str to float
+        As refitted within its tolerances.
+    runs : sequence of Replay
+        By which a number is fitted.
+    asked : mapping of str to sequence of Replay
+        The runs that doubts are of, by their part.
+    """
+    most = {d: min(HALF, FAR_WORSE * d.left) for d in doubts if d.change.kind == "unit"}
+    made = []
+    for doubt in doubts:
+        if doubt in most and not doubt.numbers:
+            replays = asked[doubt.part]
+            found = numbers_instead(predictor, fitted, runs, replays, most[doubt])
+            doubt = doubt._replace(numbers=found)
+        made.append(doubt)
+    return tuple(made)
 
 
 def _left_times(

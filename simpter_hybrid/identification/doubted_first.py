@@ -3,21 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from itertools import product
-from typing import Any, cast
-
-import numpy as np
+from typing import Any
 
 from ..problems import InvalidInput, Problem
-from ..scenario import Scenario
-from .axis.signals import AxisSignals
-from .channel_factors import with_columns_exchanged
-from .doubted_channels import BY_A_UNIT, HALF, Doubt, doubted_channels, least_wrong
+from .doubted_channels import BY_A_UNIT, HALF, Doubt, doubted_channels, with_numbers
 from .doubted_readings import SLIGHT, Judged
-from .fitting.fit import WIDE, Fitter
 from .fitting.floor import noise_floor
 from .fitting.replay import Replay
 from .fitting.residual import over_rest, rms, weighted_residuals
+from .hopeless import exchanged_columns, refuse_hopeless
 from .map_changes import MapChange, Times, unit_instead
 from .recordings.recording import Recording
 from .rigs.bench import Bench
@@ -37,15 +31,6 @@ TURNED = 0.25
 #: than this part of the error: turns a minute for radians, say.  What an effect or a declared
 #: number would have instead leaves more.
 BY_NOISE, HARDLY = 2.0, 0.01
-#: A model that errs so many times as much as if nothing moved is a model of something else ...
-HOPELESS = 3.0
-#: ... unless one of these brings it below that: a joint that a servo holds at one speed hardly
-#: changes, and one without its viscous friction ran away from that five times as far.
-EASING = ("viscous-drag", "friction-scale", "bias-force")
-#: Numbers of a load that make a force of what drives; signals of what moves.
-DRIVING, MOVES = ("constant", "resistance"), ("speed", "position")
-#: Iterations of their fits.
-ITERATIONS = 6
 
 
 def doubted_first(
@@ -80,7 +65,7 @@ def doubted_first(
     for part in ("select", "fit"):
         found = _of_part(bench, recording, values, fitted, parts, part)
         if found:
-            return found
+            return with_numbers(found, bench.predictor, fitted, parts["fit"], parts)
     return ()
 
 
@@ -137,21 +122,8 @@ def _of_part(
     least = max(BY_NOISE * floor / error, HARDLY)
     certain = [d for d in found if not d.change.slight and d.left < _certain(d.change)]
     _refuse_certain(certain, least, recording, lambda d: _as_well(bench, recording, values, d))
-    times = over_rest(predictor.predict(fitted, replays), replays)
-    hopeless = part == "select" and all(d.change.slight for d in found) and times > HOPELESS
-    if hopeless and not _eased(bench, fitted, parts["fit"], replays):
-        what = "the refitted model errs more than if nothing had changed since each window began"
-        right = "the columns, units and signs of what drives and what moves; the model's numbers"
-        right += _of_the_drive(predictor.declared)
-        device = predictor.declared.device
-        if getattr(device, "weight", 0.0) and hasattr(device, "hanging"):
-            right += ", and where its weight hangs (the device's `hanging`, or 180 deg of `offset`)"
-        if (best := least_wrong(bench, recording, values, replays, error)) is not None:
-            nearest = f"{best.changed} leaves {100 * best.left:.0f} % of the error"
-            right += f"; of factors on what drives {nearest}, and none less"
-        right += exchanged_columns(bench, recording, values, part, HOPELESS)
-        asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
-        raise InvalidInput([asked])
+    if part == "select" and all(d.change.slight for d in found):
+        refuse_hopeless(bench, recording, values, fitted, parts)
     return found
 
 
@@ -164,68 +136,6 @@ def _certain(change: MapChange) -> float:
         return TURNED
     by_unit = isinstance(change, Times) and unit_instead(change.factor)
     return CERTAIN * (BY_A_UNIT if by_unit else 1.0)
-
-
-def _eased(
-    bench: Bench,
-    fitted: Mapping[str, float],
-    runs: Sequence[Replay],
-    replays: Sequence[Replay],
-) -> bool:
-    """Whether a drag, more friction or a constant force brings a model near to what moves."""
-    predictor: Any = bench.predictor
-    for candidate in (c for c in bench.candidates if c.name in EASING):
-        extended = predictor.extended(candidate)
-        names = [p.name for p in candidate.parameters]
-        begin = {**fitted, **dict(zip(names, candidate.starts[0], strict=True))}
-        fit = Fitter(extended, runs, step=WIDE).fit(begin, iterations=ITERATIONS)
-        if over_rest(extended.predict(fit.values, replays), replays) <= HOPELESS:
-            return True
-    return False
-
-
-def _of_the_drive(declared: Scenario) -> str:
-    """Words on the numbers of what drives: with one far off no refit within tolerances is near."""
-    named = (
-        (f"load.{k}.{field}", getattr(load, field, 0.0))
-        for k, load in enumerate(declared.loads, 1)
-        for field in DRIVING
-    )
-    # A force that was measured has the constant 1, which is right.
-    numbers = [(n, x) for n, x in named if x != 0.0]
-    if all(x == 1.0 for _, x in numbers):
-        numbers = []
-    told = [f"{name} ({value:.4g} in SI units)" for name, value in numbers]
-    if not told:
-        return ""
-    return f", of the drive {' and '.join(told)}: a wider tolerance lets one be fitted"
-
-
-def exchanged_columns(
-    bench: Bench, recording: Recording, values: Mapping[str, float], part: str, most: float
-) -> str:
-    """Words on what drives an axis and what moves, where the model fits each's other column.
-
-    That is if the model as declared then errs no more than `most` times as much as if nothing had
-    moved; else "".
-    """
-    channels, predictor = recording.channels, cast(Any, bench.predictor)
-    drives = [n for n in AxisSignals().drive if n in channels and channels[n].role == "input"]
-    # A position that is a speed summed up would go on as it was.
-    summed = any(c.summed for c in channels.values())
-    moves = [n for n in MOVES if n in channels and not summed]
-    for pair in product(drives, [n for n in moves if channels[n].role == "measured"]):
-        seen = (r.channels.get(name, np.full(1, np.nan)) for r in recording.runs for name in pair)
-        if not all(np.isfinite(column).all() for column in seen):
-            continue
-        runs = bench.made(with_columns_exchanged(recording, *pair), part)
-        errs = over_rest(predictor.predict(values, runs), runs)
-        if 0.0 < errs <= most:
-            return (
-                f"; or are the columns of {' and '.join(pair)} exchanged? So the model as declared "
-                f"errs {errs:.3g} times as much as if nothing had moved"
-            )
-    return ""
 
 
 def _as_well(

@@ -30,6 +30,8 @@ OF_SENSORS = {
     OFF_AXIS: f"is an {OFF_AXIS}",
     OWN_ZERO: "has a sensor another zero in each run (each read with nothing acting would tell)",
 }
+#: Most declared numbers that are told beside a unit.
+OTHERS = 2
 #: Words that say of all effects what holds of those that were tried, and their verbs.
 NONE = (
     ("none of the known effects", "explains it", "were"),
@@ -51,6 +53,7 @@ def in_view_of(
         sentence = _of_tried(sentence, unfitted, of) if unfitted else sentence
     if doubts or off:
         right = "the map is right" if doubts else "the declared numbers are right"
+        right += " and so are the declared numbers" * any(d.numbers for d in doubts)
         sentence = f"If {right}: {sentence[0].lower()}{sentence[1:]}"
     if not still:
         return sentence
@@ -80,14 +83,23 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     kinds = every - OF_SENSORS.keys()
     asked = [f"is a {' or a '.join(sorted(kinds))} in the map wrong"] if kinds else []
     asked += [words for kind, words in OF_SENSORS.items() if kind in every]
+    numbers = sorted({n for d in doubts for n in d.numbers}, key=lambda n: n.left)[:OTHERS]
+    if numbers:  # what leaves less is asked first
+        word = "are declared numbers" if len(numbers) > 1 else "is a declared number"
+        asked.insert(0 if numbers[0].left < doubts[0].left else len(asked), f"{word} far off")
     question = ", or ".join(asked)
-    first, *more = doubts
-    others = "".join(f", with {d.changed} {100 * d.left:.0f} %" for d in more)
+    left = [(f"with {d.changed}", d.left) for d in doubts]
+    left += [(f"with {n.said}", n.left) for n in numbers]
+    if numbers:
+        left.sort(key=lambda one: one[1])
+    (with_it, part), *more = left
+    others = "".join(f", {said} {100 * other:.0f} %" for said, other in more)
     # A mass on a spring with far too little friction declared asked for another unit of positions.
-    so = " A declared number that is far off may look like that." if "unit" in kinds else ""
+    unsure = "unit" in kinds and not numbers
+    so = " A declared number that is far off may look like that." if unsure else ""
     return (
-        f"{question[0].upper()}{question[1:]}? With {first.changed} only {100 * first.left:.0f} % "
-        f"of the refitted model's error is left{others}.{so}"
+        f"{question[0].upper()}{question[1:]}? {with_it[0].upper()}{with_it[1:]} only "
+        f"{100 * part:.0f} % of the refitted model's error is left{others}.{so}"
     )
 
 

@@ -1,0 +1,145 @@
+"""Declared numbers, one at a time, with which a model errs as little as with a map put right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields
+from typing import Any, NamedTuple
+
+from ..scenario import Scenario
+from .fitting.farther import best_along
+from .fitting.fit import WIDE, Fitter
+from .fitting.predictor import Parameter
+from .fitting.replay import Replay
+from .fitting.residual import rms, weighted_residuals
+from .rigs.effect_candidate import EffectCandidate
+
+#: Numbers of a load that make a force of what drives; kinds of those of a device that are moved.
+DRIVING, MOVED = ("constant", "resistance"), ("mass", "inertia")
+#: Factors of such a number that are tried before a fit, and the bounds and the step of that.
+TRIED = (1e-3, 0.01, 0.07, 0.25, 0.5, 2.0, 4.0, 15.0, 50.0, 100.0, 1e3, 1e4, 1e5)
+LEAST, MOST, STEP = 1e-4, 1e6, 0.02
+#: A number that is off by less is within what tolerances usually are.
+OFF = 1.5
+#: Iterations of a fit.
+ITERATIONS = 6
+
+
+class NumberInstead(NamedTuple):
+    """A declared number with which a model errs far less than within its tolerances.
+
+    Parameters
+    ----------
+    name : str
+        In the model's file (``device.mass``).
+    times : float
+        Its value over what is declared; what has a tolerance is refitted.
+    left : float
+        Part of the refitted model's error that is left with it.
+    """
+
+    name: str
+    times: float
+    left: float
+
+    @property
+    def said(self) -> str:
+        """The number and how far it is off, in words."""
+        times = float(f"{self.times:.3g}")
+        return f"{self.name} {times:,g} times as declared"
+
+
+def driving_numbers(declared: Scenario) -> dict[str, float]:
+    """Numbers by which what drives makes a force, and their values [SI].
+
+    None where it is a force itself, which has the constant 1.
+    """
+    named = (
+        (f"load.{k}.{field}", float(getattr(load, field, 0.0)))
+        for k, load in enumerate(declared.loads, 1)
+        for field in DRIVING
+    )
+    numbers = {name: value for name, value in named if value != 0.0}
+    return {} if all(value == 1.0 for value in numbers.values()) else numbers
+
+
+def moved_numbers(declared: Scenario) -> dict[str, float]:
+    """Masses and inertias of the device, and their values [SI]."""
+    device = declared.device
+    named = (
+        (f"device.{f.name}", float(getattr(device, f.name)))
+        for f in fields(device)
+        if f.metadata.get("dimension") in MOVED
+    )
+    return {name: value for name, value in named if value > 0.0}
+
+
+def numbers_instead(
+    predictor: Any,
+    fitted: Mapping[str, float],
+    runs: Sequence[Replay],
+    replays: Sequence[Replay],
+    most: float,
+) -> tuple[NumberInstead, ...]:
+    """Declared numbers with each of which alone no more than a part of the error is left.
+
+    Whether they have a tolerance or not.  The best first.
+
+    Parameters
+    ----------
+    predictor : ScenarioPredictor
+        The declared model.
+    fitted : mapping of str to float
+        As refitted within its tolerances.
+    runs, replays : sequence of Replay
+        By which a number is fitted, and by which it is judged.
+    most : float
+        Part of the refitted model's error on `replays`.
+    """
+    error = rms(weighted_residuals(predictor, fitted, replays))
+    found = [
+        one
+        for name in _asked(predictor)
+        if (one := _refitted(predictor, name, fitted, runs, replays, error)).left <= most
+        and max(one.times, 1.0 / one.times) > OFF
+    ]
+    return tuple(sorted(found, key=lambda one: one.left))
+
+
+def _asked(predictor: Any) -> Iterator[str]:
+    """Numbers that the simulated model has as the declared one does."""
+    known = predictor.runner.names
+    numbers = moved_numbers(predictor.declared) | driving_numbers(predictor.declared)
+    return (name for name in numbers if name in known)
+
+
+def _refitted(
+    predictor: Any,
+    name: str,
+    fitted: Mapping[str, float],
+    runs: Sequence[Replay],
+    replays: Sequence[Replay],
+    error: float,
+) -> NumberInstead:
+    """What is left with one number free, begun from the best of many values."""
+    number = f"{name} instead"
+
+    def freed(about: float) -> Fitter:
+        share = Parameter(number, 0.0, LEAST - 1.0, MOST, STEP * about)
+        shares = ((number, name),)
+        candidate = EffectCandidate(
+            number, (share,), ((0.0,),), "declared numbers", "load", (), shares=shares
+        )
+        return Fitter(predictor.extended(candidate), runs, step=WIDE)
+
+    def begun(start: Mapping[str, float]):
+        fitter, begin = freed(1.0), {**start, number: 0.0}
+        at, share = fitter.residuals(begin), [fitter.parameters[-1]]
+        values, at = best_along(fitter, begin, at, share, lambda p, x: [t - 1.0 for t in TRIED])
+        return freed(1.0 + values[number]).fit(values, iterations=ITERATIONS, at=at)
+
+    # A refit may have driven all other numbers far, in place of this one.
+    nominal = {p.name: p.value for p in predictor.parameters}
+    values = min(map(begun, (fitted, nominal)), key=lambda fit: fit.cost).values
+    left = rms(weighted_residuals(freed(1.0).predictor, values, replays)) / error
+    return NumberInstead(name, 1.0 + values[number], left)
