@@ -26,6 +26,9 @@ def round_data(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
                 "by_chance": by_chance(t, done.base),
                 "held_out": (gains or {}).get(t.candidate.name),
                 "values": {p.name: t.fit.values[p.name] for p in t.candidate.parameters},
+                "at_bound": [
+                    p.name for p in t.candidate.parameters if p.at_limit(t.fit.values[p.name])
+                ],
             }
             for t in done.trials
         ],

@@ -27,6 +27,9 @@ IDLE = " (its size is zero: the refit beside it)"
 #: ... and of one that counts for nothing, whatever the selecting runs say.
 BY_CHANCE = " (not on the fitted runs: by chance)"
 
+#: Beside a fitted number that is no estimate, for it went no farther than it might.
+AT_BOUND = " (at its bound)"
+
 
 def error_tables(data: Mapping[str, Any]) -> str:
     """Errors on the runs held out: per channel, all weighed, per experiment, of breakaways."""
@@ -125,7 +128,7 @@ def candidate_table(k: int, done: Mapping[str, Any], cut: bool = False) -> str:
             _interval(t["held_out"]),
             f"{t['share']:.3f}",
             ", ".join(f"{n.removeprefix(t['name'] + '.')} {number(v)}"
-                      for n, v in t["values"].items()),
+                      + AT_BOUND * (n in t.get("at_bound", ())) for n, v in t["values"].items()),
         )
         for t in done["candidates"]
     )  # fmt: skip
