@@ -23,13 +23,26 @@ LITTLE = 0.2
 def far_refits(found: Diagnosis) -> list[str]:
     """Each declared parameter that went far, by how much, and whether as far as is tried."""
     values = found.search.corrected.values
-    said = []
-    for p, off in _refitted(found).items():
-        ended = p.at_limit(values[p.name])
-        if _far(p, off) or ended:
-            limit = ", and no farther is tried" if ended else ""
-            said.append(f"{p.name} {100 * off:+.1f} % (declared to {100 * p.tolerance:g} %{limit})")
-    return said
+    ended = {p: p.at_limit(values[p.name]) for p in _refitted(found)}
+    return [
+        _told(p, off, ", and no farther is tried" * ended[p])
+        for p, off in _refitted(found).items()
+        if _far(p, off) or ended[p]
+    ]
+
+
+def _beyond_tolerance(found: Diagnosis) -> list[str]:
+    """Each declared parameter that went beyond its tolerance, but not far."""
+    values = found.search.corrected.values
+    return [
+        _told(p, off)
+        for p, off in _refitted(found).items()
+        if abs(off) > p.tolerance and not (_far(p, off) or p.at_limit(values[p.name]))
+    ]
+
+
+def _told(p: Parameter, off: float, limit: str = "") -> str:
+    return f"{p.name} {100 * off:+.1f} % (declared to {100 * p.tolerance:g} %{limit})"
 
 
 def refits_told(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -> str:
@@ -68,10 +81,13 @@ def traded_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -
 def refit_sentence(found: Diagnosis) -> str:
     """Declared parameters that were refitted farther than is usual; "" if none was.
 
-    Or as far as is tried: such a value is no estimate.
+    Or as far as is tried: such a value is no estimate.  What went beyond its tolerance and not far
+    is told behind them.
     """
-    told = far_refits(found)
-    return f"Refitted by more than is usual: {', '.join(told)}." if told else ""
+    told, beyond = far_refits(found), _beyond_tolerance(found)
+    said = [f"Refitted by more than is usual: {', '.join(told)}."] if told else []
+    said += [f"Refitted beyond its tolerance: {', '.join(beyond)}."] if beyond else []
+    return " ".join(said)
 
 
 def one_factor_text(found: Diagnosis) -> str:
