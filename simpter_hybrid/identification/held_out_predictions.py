@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -37,6 +37,8 @@ class HeldOutPredictions:
     corrected : Model
     telling : Telling or None
         None: nothing is compared in these runs.
+    declared : mapping, optional
+        As `before`, by the model as declared; None unless the refitted one errs more than that.
     """
 
     replays: Sequence[Replay]
@@ -44,6 +46,7 @@ class HeldOutPredictions:
     after: Predicted
     corrected: Model
     telling: Telling | None
+    declared: Predicted | None = None
 
     @property
     def stages(self) -> dict[str, Predicted]:
@@ -68,9 +71,12 @@ def held_out_predictions(found: Diagnosis) -> HeldOutPredictions:
         return simulate(model.values, started(simulate, model.values, replays))
 
     before, after = told(done.refitted), told(done.corrected)
-    return HeldOutPredictions(
-        replays, before, after, done.corrected, most_telling(replays, before, after)
-    )
+    declared, errors = None, found.error_by_stage
+    if errors["declared"] < errors["refitted"]:
+        nominal = {p.name: p.value for p in done.refitted.predictor.parameters}
+        declared = told(replace(done.refitted, values=nominal))
+    telling = most_telling(replays, before, after)
+    return HeldOutPredictions(replays, before, after, done.corrected, telling, declared)
 
 
 def most_telling(replays: Sequence[Replay], before: Predicted, after: Predicted) -> Telling | None:

@@ -9,7 +9,7 @@ from ..identification.held_out_predictions import HeldOutPredictions
 from ..identification.recordings.recording import Recording
 from .recorded_units import units
 from .sticking import sticking, stripes
-from .style import BLUE, GREY, ORANGE, PALE, figure, styled
+from .style import BLUE, GREEN, GREY, ORANGE, PALE, figure, styled
 
 #: Most samples of the enlarged part, and the largest part of a run that still is an enlargement.
 LONGEST, PART = 1500, 0.2
@@ -29,17 +29,17 @@ def held_out(told: HeldOutPredictions, recording: Recording | None = None) -> Fi
     replay = told.replays[i]
     unit, written = units(recording, channel)
     seen = replay.observed[channel]
-    # At rest a force may be anything: where it is not compared it is not drawn either.
-    refitted, corrected = (
-        series if replay.drive_is_exact else np.where(seen.keep, series, np.nan)
-        for series in (told.before[channel][i], told.after[channel][i])
-    )
-    lines = [
-        (seen.values, GREY, 3.2, "measured"),
-        (refitted, ORANGE, 1.1, "refitted"),
-    ]
+
+    def drawn(series: np.ndarray) -> np.ndarray:
+        """At rest a force may be anything: where it is not compared it is not drawn either."""
+        return series if replay.drive_is_exact else np.where(seen.keep, series, np.nan)
+
+    lines = [(seen.values, GREY, 3.2, "measured")]
+    if told.declared is not None:
+        lines.append((drawn(told.declared[channel][i]), GREEN, 1.1, "declared"))
+    lines.append((drawn(told.before[channel][i]), ORANGE, 1.1, "refitted"))
     if told.changed:
-        lines.append((corrected, BLUE, 1.1, "corrected"))
+        lines.append((drawn(told.after[channel][i]), BLUE, 1.1, "corrected"))
     stuck = sticking(told.corrected.predictor, told.corrected.values, replay)
     parts = [(slice(0, replay.time.size), "whole run")]
     part = enlarged(replay.time.size, centre)
