@@ -59,6 +59,20 @@ def test_rounded_stamps_are_known_where_swings_are_too_fast_to_tell(tmp_path):
     assert np.diff(run.time) == pytest.approx(np.full(119, row), rel=0.02)
 
 
+def test_stamps_of_three_digits_are_called_rounded(tmp_path):
+    # From a second on they are in hundredths, before in thousandths.
+    number = np.arange(90)
+    rows = ["take,s,angle"]
+    for take, start in enumerate(STARTS):
+        angle = seen(start, number / 30.0, np.random.default_rng(take))
+        pairs = zip(number / 30.0, angle, strict=True)
+        rows += [f"{take},{float(f'{s:.2e}')},{a:.5f}" for s, a in pairs]
+    recording = written(tmp_path, rows, MAP)
+    assert "rounded" in recording.findings[0].what
+    for run in recording.runs:
+        assert np.diff(run.time) == pytest.approx(np.full(89, 1.0 / 30.0), rel=0.05)
+
+
 @pytest.mark.parametrize("lost", [[70], [20, 21, 22, 23, 24]])
 def test_a_packet_that_was_lost_stays_a_gap(tmp_path, lost):
     recording = _recorded(tmp_path, "packets", lost)

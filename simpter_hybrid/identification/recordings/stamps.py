@@ -49,6 +49,8 @@ SHARED, PACKETS = 0.25, 10
 SAME, MOST = 1e-3, 0.9
 #: Rounded stamps of even rows are within so many units of a straight line; its slope is fitted.
 ROUNDED = 1.1
+#: Fewest steps that tell what they were rounded to.
+FEWEST = 10
 #: Channels that are asked, by the beginnings of their names.
 ASKED = ("position", "speed")
 #: Stamps beyond so many seconds count from no beginning of a record [s].
@@ -117,7 +119,19 @@ def _followed_by(
 
 def _rounded(run: RecordedRun, jitter: np.ndarray) -> bool:
     """Whether even rows are off their stamps by no more than what these were rounded by."""
-    return float(np.ptp(jitter)) <= ROUNDED * stamped_to(np.diff(run.time))
+    return float(np.ptp(jitter)) <= ROUNDED * max(map(stamped_to, _alike(run.time)))
+
+
+def _alike(time: np.ndarray) -> Iterator[np.ndarray]:
+    """Steps of all stamps, and of those of the highest power of ten [s].
+
+    With three digits 0.967 and 2.17 are written: the late ones are rounded most.
+    """
+    yield np.diff(time)
+    highest = 10.0 ** np.floor(np.log10(np.abs(time).max()))
+    late = np.diff(time[np.abs(time) >= highest])
+    if np.count_nonzero(late > 0.0) >= FEWEST:
+        yield late
 
 
 def _counts(run: RecordedRun, channels: Mapping[str, ChannelMap]) -> bool:
