@@ -6,6 +6,7 @@ from toy_rig import ALONG_X, ALONG_Y
 from simpter_hybrid.identification.diagnosis import left_in
 from simpter_hybrid.identification.maps import find_map, find_model
 from simpter_hybrid.problems import InvalidInput
+from simpter_hybrid.reading.reader import one_of
 
 
 def refused(act, *arguments):
@@ -24,3 +25,7 @@ def test_a_shipped_model():
 
 def test_a_folder_in_place_of_a_map(tmp_path):
     assert "not a file" in refused(find_map, str(tmp_path), "data.csv", find_model("emps"))
+
+
+def test_all_that_are_as_near_are_asked():
+    assert one_of(["t1", "way", "t2"], "t").endswith("(did you mean t1 or t2?)")

@@ -1,6 +1,9 @@
 """Which map a diagnosis takes where none is named."""
 
+import pytest
+
 from simpter_hybrid.identification.maps import MAPS, find_map
+from simpter_hybrid.problems import InvalidInput
 
 
 def _written(folder, *names):
@@ -25,3 +28,11 @@ def test_else_the_one_beside_the_recording(tmp_path):
 def test_else_the_shipped_one(tmp_path):
     model = _written(tmp_path, "emps.toml") / "emps.toml"
     assert find_map(None, str(tmp_path / "take.csv"), model) == MAPS / "emps.toml"
+
+
+def test_where_there_is_none_the_names_that_were_looked_for_are_told(tmp_path):
+    model = _written(tmp_path, "rig.toml") / "rig.toml"
+    with pytest.raises(InvalidInput) as told:
+        find_map(None, str(tmp_path / "data" / "take.csv"), model)
+    for file in (tmp_path / "rig_map.toml", tmp_path / "data" / "map.toml"):
+        assert str(file) in str(told.value)

@@ -232,10 +232,14 @@ def _check_limits(number: float, value: Any, dimension: str, limits: Mapping[str
 
 
 def one_of(names: Iterable[str], wrong: Any = None) -> str:
-    """``one of a, b, c (did you mean b?)``."""
-    from difflib import get_close_matches
+    """``one of a, b, c (did you mean b?)``; all that are as near as the nearest are asked."""
+    from difflib import SequenceMatcher, get_close_matches
 
     names = list(names)
     text = f"one of {', '.join(names)}" if len(names) > 1 else ", ".join(names) or "no key at all"
-    near = get_close_matches(str(wrong), names, 1) if isinstance(wrong, str) else []
-    return f"{text} (did you mean {near[0]}?)" if near and len(names) > 1 else text
+    near = get_close_matches(wrong, names) if isinstance(wrong, str) else []
+    if not near or len(names) == 1:
+        return text
+    ratios = {name: SequenceMatcher(None, name, wrong).ratio() for name in near}
+    asked = [name for name in names if ratios.get(name, 0.0) >= ratios[near[0]]]
+    return f"{text} (did you mean {' or '.join(asked)}?)"

@@ -34,14 +34,11 @@ def find_map(name: str | None, recording: str, model: Path) -> Path:
     """
     if name is not None:
         return _find("--map", name, MAPS)
-    for file in (
-        model.with_name(f"{model.stem}_map.toml"),
-        Path(recording).parent / "map.toml",
-        MAPS / f"{model.stem}.toml",
-    ):
+    own, beside = model.with_name(f"{model.stem}_map.toml"), Path(recording).parent / "map.toml"
+    for file in (own, beside, MAPS / f"{model.stem}.toml"):
         if file.is_file():
             return file
-    right = "--map FILE.toml: channel -> column, unit, sign, role"
+    right = f"{own}, {beside} or --map FILE.toml: channel -> column, unit, sign, role"
     raise InvalidInput([Problem("--map", "", "no map of the recording", "none", right)])
 
 
