@@ -22,7 +22,7 @@ from .doubted_channels import Doubt, with_numbers
 from .doubted_first import doubted_first, still_doubted
 from .doubted_readings import Judged, doubted
 from .false_alarms import FalseAlarms, count_false_alarms
-from .far_off import far_off, first_far_off
+from .far_off import by_its_inverse, far_off, first_far_off
 from .first_refit import first_refit
 from .fits import check_fits
 from .fitting.effort import USUAL, never
@@ -110,9 +110,10 @@ def diagnose(
         others = "".join(f", {n.said} {100 * n.left:.0f} %" for n in doubt.numbers)
         remark(f"is the map right? {left}{others}")
     if (prefix := first_far_off(predictor, parts, first.values)) is not None:
+        inverse = "" if recording.map.driven else by_its_inverse(prefix, declared)
         remark(
             f"is a declared number far off? {prefix.name} {prefix.times:g} times as declared "
-            f"leaves {100 * prefix.left:.2g} % of the error"
+            f"leaves {100 * prefix.left:.2g} % of the error{inverse and f' (or {inverse})'}"
         )
     search = WeightedSearch(bench, tried, parts, first.values, say)
     found, levels = runwise(search, search.settled(first.values))

@@ -10,6 +10,8 @@ import numpy as np
 
 from ..checks.validation import validate
 from ..problems import InvalidInput
+from ..scenario import Scenario
+from .axis.sizes import pulls_back
 from .doubted_channels import HALF
 from .fitting.farther import best_along
 from .fitting.fit import WIDE, Fitter
@@ -17,6 +19,7 @@ from .fitting.fitted_model import Model, Split
 from .fitting.predictor import Parameter
 from .fitting.replay import Replay
 from .fitting.residual import errors_by_experiment, rms
+from .numbers_instead import moved_numbers
 from .rigs.effect_candidate import EffectCandidate
 from .tracing.limits import IMPERFECT
 from .tracing.rivals import FAR_WORSE
@@ -107,6 +110,24 @@ def far_off(done: SearchResult, split: Split, least: float) -> FarOff | None:
     found, *others = ranked
     near = [o for o in others if o.left < min(HALF, FAR_WORSE * found.left)]
     return found._replace(others=tuple(near[:OTHERS]))
+
+
+def by_its_inverse(off: FarOff, declared: Scenario) -> str:
+    """What does the same of an axis that nothing drives, in words; "" if nothing else does.
+
+    Its motion tells ratios of forces to its inertia alone: a weight too small looks like an inertia
+    too large.
+    """
+    groups = {t["name"]: t["parameters"] for t in declared.notes.get("tolerances", ())}
+    numbers = groups.get(off.name, ())
+    if not numbers:
+        return ""
+    if all(n in moved_numbers(declared) for n in numbers):
+        return f"all its forces {1.0 / off.times:.3g} times as declared"
+    pulls = all(n == "device.weight" or ".SpringForce." in n for n in numbers)
+    if pulls or not pulls_back(declared):  # of a friction beside a weight it is not so
+        return f"an inertia {1.0 / off.times:.3g} times as declared"
+    return ""
 
 
 def _any_at_limit(model: Model, declared: Sequence[Parameter]) -> bool:

@@ -103,8 +103,11 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     )
 
 
-def far_off_sentence(off: FarOff | None) -> str:
-    """Sentence on declared numbers that may be farther off than their tolerances say."""
+def far_off_sentence(off: FarOff | None, inverse: str = "") -> str:
+    """Sentence on declared numbers that may be farther off than their tolerances say.
+
+    `inverse`: what does the same of an axis that nothing drives.
+    """
     if off is None:
         return ""
     others = "".join(
@@ -116,6 +119,8 @@ def far_off_sentence(off: FarOff | None) -> str:
         "Is a declared number farther off than its tolerance says? With "
         f"{off.name} {off.times:.3g} times as declared {100 * off.left:.0f} % of the refitted "
         f"model's error is left{others}."
+        + f" Nothing drives the axis, so only ratios of its forces to its inertia are known: "
+        f"{inverse}, with the rest refitted, would look alike." * bool(inverse)
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...versions import source_digest, versions
 from ..false_alarms import FalseAlarms
+from ..far_off import by_its_inverse
 from ..fitting.floor import replicate_noise
 from ..held_out_gains import HeldOutGain
 from ..held_out_predictions import HeldOutPredictions
@@ -166,7 +167,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         ),
         "doubted": doubted_sentence(found.doubts),
         "apart": apart_sentence(recording, found.doubts),
-        "far_off": far_off_sentence(found.far_off),
+        "far_off": far_off_sentence(found.far_off, _inverse(found, taken)),
         "driver": driver_sentence(found.remarks),
         "pace": pace_sentence(told),
         "ruling_run": ruling_run_sentence(found.ruling_run),
@@ -194,6 +195,14 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "no_place": no_place_sentence(recording, verdict),
         "late_speed": of_late_speed(found, recording),
     }  # fmt: skip
+
+
+def _inverse(found: Diagnosis, taken: Recording) -> str:
+    """What does the same as a declared number that is far off, where nothing drives the axis."""
+    if found.far_off is None or taken.map.driven:
+        return ""
+    model: Any = found.search.refitted
+    return by_its_inverse(found.far_off, model.predictor.declared)
 
 
 def _errors(found: Diagnosis, taken: Recording, told: HeldOutPredictions) -> dict[str, Any]:
