@@ -204,7 +204,8 @@ def with_rival(
 ) -> Model | None:
     """The model with a rival in the place of an effect, fitted from where its trial ended.
 
-    None if it does not go together with the other effects.
+    None if it does not go together with the other effects, and where a search that was ended has
+    not fitted it: what no fit has asked excludes nothing.
     """
     effects = [rival.candidate if e is best else e for e in model.effects]
     predictor = declared.predictor
@@ -214,8 +215,8 @@ def with_rival(
         return None
     start = replace(model, values={**model.values, **rival.fit.values})
     asked = "in its place", best.name, *known_by(rival)
-    fitted = partial(_refitted_with, effects, start, declared, split)
-    return (memory or Memory()).of(model, asked, fitted)
+    fitted, memory = partial(_refitted_with, effects, start, declared, split), memory or Memory()
+    return None if memory.barred(model, asked) else memory.of(model, asked, fitted)
 
 
 def _refitted_with(
