@@ -189,16 +189,19 @@ def _diagnosed(
     if curved is not None:
         more = resolve(curved)
         files |= dict(more.files) | {"empirical.toml": more.text}
-    text = _headed(name, data["sentence"], resolved.text)
+    text = _headed(name, data, resolved.text)
     asked = tuple(planned[n] for n in advised(found, seen, unseen(found, seen)) if n in planned)
     if table := next_runs_csv(asked):
         files["run_next.csv"] = table
     return DiagnosisReport(found, data, model, text, files, stages, gains, asked)
 
 
-def _headed(name: str, verdict: str, text: str) -> str:
-    """A corrected model's file, with what it is the correction of in front."""
-    told = f"By `simpter diagnose {name}`. {verdict}"
+def _headed(name: str, data: Mapping[str, Any], text: str) -> str:
+    """A corrected model's file, with what it is the correction of in front, and where it is none.
+
+    Who takes the file alone along has not read the report.
+    """
+    told = f"By `simpter diagnose {name}`. {data['sentence']} {data['worse']}".rstrip()
     said = "".join(c if c.isprintable() else "?" for c in told)  # else it were no TOML
     lines = wrap(said, WIDTH - 2, break_on_hyphens=False)
     return "".join(f"# {line}\n" for line in lines) + text

@@ -24,7 +24,7 @@ def test_a_model_as_declared_has_none():
 
 def test_its_file_begins_with_what_it_is_the_correction_of():
     verdict = "The model lacks stribeck; " + "with it the error is what noise leaves. " * 5
-    text = _headed("take\x07.csv", verdict, "[run]\nt_end = 1.0\n")
+    text = _headed("take\x07.csv", {"sentence": verdict, "worse": ""}, "[run]\nt_end = 1.0\n")
     head = [line for line in text.splitlines() if line.startswith("# ")]
     assert max(map(len, head)) <= WIDTH
     assert "simpter diagnose take?.csv" in head[0]
