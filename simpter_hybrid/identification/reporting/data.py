@@ -34,6 +34,7 @@ from .cautions import (
 )
 from .creeping import creeping_sentence
 from .dependence_text import is_straight
+from .dying_out import dying_out_sentence
 from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
 from .held_out_data import (
@@ -192,6 +193,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "swings": swinging_sentence(found, told),
         "repeats": repeating_sentence(found),
         "one_direction": one_direction_sentence(found),
+        "dying_out": dying_out_sentence(found),
         "no_place": no_place_sentence(recording, verdict),
         "late_speed": of_late_speed(found, recording),
     }  # fmt: skip

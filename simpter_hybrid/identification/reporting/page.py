@@ -35,8 +35,8 @@ DOUBTED = (
 )  # fmt: skip
 #: ... and below it.
 TOLD = (
-    "left_out", "one_direction", "late_speed", "or_sensor", "passed_over", "unsized", "unborne",
-    "outdone", "hardly_fitted", "beyond_fitted", "worse", "spoilt", "harmful", "uneven",
+    "left_out", "one_direction", "dying_out", "late_speed", "or_sensor", "passed_over", "unsized",
+    "unborne", "outdone", "hardly_fitted", "beyond_fitted", "worse", "spoilt", "harmful", "uneven",
     "unsteady", "few_windows", "one_run", "at_limit", "less_drag", "refit", "rings", "repeated",
     "between_rows", "no_place", "creeping", "swings", "repeats",
 )  # fmt: skip
