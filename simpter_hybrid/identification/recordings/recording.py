@@ -45,6 +45,7 @@ from .steps import finer_than_told, quieter_than_told
 from .stuck import stuck_inputs, stuck_positions
 from .text_rows import LISTED
 from .told import as_told
+from .uneven_noise import uneven_noise_remarks
 from .wrapped import unwrapped
 
 
@@ -203,6 +204,7 @@ def _doubted_values(
         *quieter_than_told(recorded, channels),
         *made_up_rows(recorded, channels),
         *lone_sample_remarks(recorded, channels),
+        *uneven_noise_remarks(recorded, channels),
     ]
 
 
