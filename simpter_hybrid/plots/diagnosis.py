@@ -153,7 +153,8 @@ def dependence(found: Diagnosis) -> Figure | None:
     handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
     legend: list[Any] = [handles[n] for n in (WITHOUT, WITH) if n in handles]
     if any(ax.collections for ax in picture.axes):
-        legend.append(Patch(color=GREY, alpha=0.3, label="95 %, runs left out in turn"))
+        far = " (in part beyond the axes)" if any(map(_goes_beyond, picture.axes)) else ""
+        legend.append(Patch(color=GREY, alpha=0.3, label=f"95 %, runs left out in turn{far}"))
     legend_beside_title(picture, legend)
     return picture
 
@@ -180,6 +181,13 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     # On two lines: panels are low, and a long name of a balance would leave them.
     where = f"at {before.at:.3g} {unit} passed on " if before.scaled.any() else ""
     ax.set_ylabel(f"{balance.replace('_', ' ')} residual\n{where}[{unit}]")
+
+
+def _goes_beyond(ax: Axes) -> bool:
+    """Whether a band is higher than what is drawn of it."""
+    low, high = ax.get_ylim()
+    ends = [np.asarray(path.vertices)[:, 1] for band in ax.collections for path in band.get_paths()]
+    return any(end.min() < low or end.max() > high for end in ends)
 
 
 def stretches(centres: np.ndarray) -> list[np.ndarray]:
