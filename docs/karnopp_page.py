@@ -54,10 +54,9 @@ ENSEMBLE = """## On random runs
 The runs have random poses, speeds, torque maps, loads and commands, with and without a controller.
 Error: of the final angles in units of the largest displacement. "Chattering": runs given up after
 10,000 steps. Missed and invented: per stop or release of the exact run. Cost: processor time over
-that of the exact run, both compiled, neither with a record. All costs of Karnopp's model on this
-page were measured while Numba compiled it; by the project's own compiler, to the same bits, it takes
-about a sixth of that. The tuned rules' error falls as the square root of the band: a clutch that has
-broken away stays inside the band, at breakaway torque, for a time that is proportional to it.
+that of the exact run, both by the project's own compiler, neither with a record. The tuned rules'
+error falls as the square root of the band: a clutch that has broken away
+stays inside the band, at breakaway torque, for a time that is proportional to it.
 """
 BEST = """### At its best
 

@@ -40,9 +40,13 @@ def simulate(scenario: Scenario, progress: Callable[[float], None] | None = None
     ------
     CompiledUnavailable
         If llvmlite is missing or the model is too large; the message names the reference engine.
+    KeyboardInterrupt
+        By Ctrl-C, soon, without `progress`; with one what there was is the result.
     """
     heed = progress or (lambda t: None)
     found = Program(scenario).once(Room(1000, 1000, 2000), heed, record=True)
+    if found.halted and progress is None:
+        raise KeyboardInterrupt  # of whoever runs one after another, not of this run
     return trajectory(scenario, found)
 
 

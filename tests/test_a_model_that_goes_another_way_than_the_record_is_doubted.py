@@ -38,4 +38,11 @@ def test_where_the_error_tells_it_no_sentence_has_to(more):
 
 def test_the_pace_is_a_line_through_zero_with_its_own_scatter():
     seen = np.array([1.0, 2.0, -3.0])
-    assert pace_of(seen, 0.5 * seen) == (0.5, 0.0)
+    assert pace_of(seen, 0.5 * seen) == pytest.approx((0.5, 0.0), abs=1e-12)
+
+
+def test_one_window_that_goes_far_does_not_speak_for_all():
+    seen = np.array([1.0] * 8 + [10.0])
+    pace, error = pace_of(seen, np.array([1.0] * 8 + [7.0]))
+    assert pace < 0.75
+    assert abs(pace - 1.0) < 4.0 * error

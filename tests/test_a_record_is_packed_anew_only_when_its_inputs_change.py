@@ -9,7 +9,7 @@ from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.rigs.packed import packed
 
 TIME = 0.01 * np.arange(5)
-RUN = Replay("run", "run", TIME, {"drive": TIME}, {}, notes={"start": TIME[:2], "speed": TIME})
+RUN = Replay("run", "run", TIME, {"drive": TIME}, {}, notes={"start": TIME[:2], "shift": TIME})
 
 
 def counting():
@@ -39,7 +39,7 @@ def test_other_inputs_notes_stages_and_rigs_are_packed_anew():
     run = replace(RUN, memo={})
     packed(rig, run, 1.0, False)
     packed(rig, replace(run, inputs={"drive": 3.0 * TIME}), 1.0, False)
-    packed(rig, replace(run, notes={**run.notes, "speed": 3.0 * TIME}), 1.0, False)
+    packed(rig, replace(run, notes={**run.notes, "shift": 3.0 * TIME}), 1.0, False)
     packed(rig, run, 1.0, None)
     packed(other, run, 1.0, False)
     assert asked == [2.0, 2.0, 2.0, 1.0]

@@ -4,9 +4,11 @@ import io
 import json
 import zipfile
 
+import numpy as np
 import pytest
 from sampled_runs import baseline
 
+from simpter_hybrid.files.same_scenario import identity
 from simpter_hybrid.files.storage import ABOUT, StoredRunError, load, save
 
 
@@ -48,3 +50,9 @@ def test_an_earlier_run_is_judged_by_what_it_shows(tmp_path):
     for changes in ({"q": (1.0, 1.0)}, {"t_end": 0.5 * baseline().t_end}):
         with pytest.raises(StoredRunError, match=next(iter(changes))):
             load(directory, scenario.replace(**changes))
+
+
+def test_a_start_given_as_an_array_is_told_like_any_other():
+    scenario = baseline().scenario
+    as_array = scenario.replace(q=np.array(scenario.q), qd=np.array(scenario.qd))
+    assert identity(as_array) == identity(scenario)

@@ -7,7 +7,7 @@ import pytest
 from devices_for_tests import Ramp, TwoBlocks, always_on
 
 from simpter_hybrid import engine
-from simpter_hybrid.explanation.explain import segments_around
+from simpter_hybrid.explanation.explain import explain, segments_around
 from simpter_hybrid.running.recorder import Recorder
 from simpter_hybrid.scenario import Scenario
 
@@ -34,6 +34,7 @@ def test_both_are_in_it_and_the_segments_around_it_are_found(name):
     before, after = segments_around(found)[1]
     assert found.mode[[before, after]].tolist() == [[0, 0], [1, -1]]
     assert after == len(found.mode) - 1
+    assert "took another mode" not in str(explain(found, let_go.t))
 
 
 def test_of_two_that_follow_one_another_the_first_margin_is_kept():

@@ -1,6 +1,7 @@
 """Machine code hears of an interrupt within a step; what it leaves is the beginning of the run."""
 
 import signal
+from threading import Timer
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 pytest.importorskip("llvmlite")
 from simpter_hybrid.compiled import simulate
 from simpter_hybrid.files.scenario_file import load
+from simpter_hybrid.machine_code.attended import attended
 from simpter_hybrid.progress import Progress
 
 #: Some hundred thousand steps, which take a second or more.
@@ -34,6 +36,20 @@ def test_what_there_was_is_kept(capsys):
     assert np.array_equal(found.step_y, whole.step_y[:count])
     assert np.array_equal(found.end, whole.step_y[count])
     assert found.t_end == whole.step_t[count]
+
+
+def test_without_anybody_who_asks_how_far_it_is_it_ends_what_runs_one_after_another():
+    Timer(0.3, signal.raise_signal, [signal.SIGINT]).start()
+    with pytest.raises(KeyboardInterrupt):
+        [simulate(LONG) for _ in range(1000)]
+
+
+def test_an_error_of_what_runs_in_a_thread_is_heard():
+    def work():
+        raise MemoryError
+
+    with pytest.raises(MemoryError):
+        attended(work, lambda: None, lambda: None)
 
 
 def test_an_error_while_it_is_told_how_far_the_run_is_is_not_hidden():

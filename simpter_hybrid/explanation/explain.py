@@ -47,6 +47,8 @@ class Explanation:
         Facets at ``asked``, where that is not the event's instant.
     mode_now : tuple of int, (m,)
         Modes at ``asked``.
+    in_turn : bool
+        Several broke away at this instant, one after another: the rounds are the first one's.
     """
 
     unit: str
@@ -61,6 +63,7 @@ class Explanation:
     candidates: tuple[Candidate, ...]
     now: tuple[Facet, ...]
     mode_now: tuple[int, ...]
+    in_turn: bool = False
 
     @property
     def undecided(self) -> tuple[int, ...]:
@@ -141,6 +144,7 @@ def explain_event(
         excitation = _excitation(trajectory, before, event.t)
     y = _state_after(trajectory, event.t, after)
     rounds, candidates = _decision(view, event, after, y, (cause, which, margin))
+    last = len(trajectory.mode) if after is None else after
     return Explanation(
         unit=trajectory.scenario.device.surface_units[1],
         asked=event.t,
@@ -154,6 +158,7 @@ def explain_event(
         candidates=tuple(candidates),
         now=(),
         mode_now=event.after,
+        in_turn=before is not None and last - before > 1,
     )
 
 

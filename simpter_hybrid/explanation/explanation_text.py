@@ -193,7 +193,9 @@ def rule(e: Explanation) -> list[str]:
                 f"{step.least_margin:.4g} {e.unit}: that facet breaks in turn."
             )
     last = e.rounds[-1].after
-    if e.event is not None and last != e.event.after:
+    if e.in_turn:
+        lines.append("That was the first of several that broke away at this instant, in turn.")
+    elif e.event is not None and last != e.event.after:
         lines.append(f"Replaying the rule gives {modes_in_words(last)}; the run took another mode.")
     return lines
 

@@ -33,8 +33,11 @@ def identity(scenario: Scenario) -> dict[str, Any]:
     recorded = np.asarray(scenario.rec, dtype="<f8").tobytes()
     found = {
         **{name: getattr(scenario, name) for name in FIELDS},
-        "command": scenario.command or off,
-        "excitation": scenario.excitation or off,
+        **{name: np.asarray(getattr(scenario, name)).tolist() for name in ("q", "qd")},
+        "command": np.asarray(off if len(scenario.command) == 0 else scenario.command).tolist(),
+        "excitation": np.asarray(
+            off if len(scenario.excitation) == 0 else scenario.excitation
+        ).tolist(),
         "delay": switching["delay"],
         "threshold": switching["threshold"],
         "parts": [kind_of(part) for part in parts],

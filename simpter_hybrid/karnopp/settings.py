@@ -10,6 +10,8 @@ from .records import Options
 from .rules import CLOSEST, LIMITERS, TUNED, Rules
 
 SOLVERS = ("variable", "fixed")
+#: What a bound without end counts up to.
+MOST = 2**62
 
 
 @dataclass(frozen=True)
@@ -90,5 +92,6 @@ class Settings:
             rtol=self.rtol, atol=self.atol, max_step=self.max_step or scenario.t_end / 50.0,
             min_step=1e-12 * scenario.t_end, t_end=scenario.t_end, period=scenario.period,
             span=2 * z["n"] + z["m"] + z["nz"], stops=len(scenario.stops), record=int(record),
-            nh=z["nh"], nd=z["nd"], limit=self.max_steps, nbreaks=len(scenario.breakpoints()),
+            nh=z["nh"], nd=z["nd"], limit=int(min(self.max_steps, MOST)),
+            nbreaks=len(scenario.breakpoints()),
         )  # fmt: skip

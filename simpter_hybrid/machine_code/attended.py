@@ -20,9 +20,17 @@ def attended(work: Callable[[], None], look: Callable[[], None], halt: Callable[
         Called now and then; a KeyboardInterrupt, its own or that of a signal, halts the work.
     halt : callable
     """
-    thread = Thread(target=work)
-    thread.start()
+    failed: list[BaseException] = []
+
+    def guarded() -> None:
+        try:
+            work()
+        except BaseException as error:  # of a thread nobody would hear it
+            failed.append(error)
+
+    thread = Thread(target=guarded)
     try:
+        thread.start()
         while thread.is_alive():
             thread.join(INTERVAL)
             if thread.is_alive():
@@ -31,5 +39,8 @@ def attended(work: Callable[[], None], look: Callable[[], None], halt: Callable[
         return False
     finally:
         halt()
-        thread.join()
+        if thread.ident is not None:
+            thread.join()
+        if failed:
+            raise failed[0]
     return True

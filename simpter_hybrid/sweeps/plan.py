@@ -107,9 +107,9 @@ def make_plan(request: Request, more: Sequence[Problem] = ()) -> Plan:
         scenario = base.scenario()
         more += _check_engine(request.engine, scenario)
         if found is None or END not in found.paths:
-            more += _check_step(step, scenario)
+            more += _check_step(step, scenario, request)
         if found is not None:
-            more += _try_values(base, found, step, identities)
+            more += _try_values(base, found, step, identities, request)
     except InvalidInput as error:
         more += error.problems
     if len(problems) or more or found is None:
@@ -208,14 +208,17 @@ def _check_options(request: Request, problems: Problems) -> float:
     return step
 
 
-def _check_step(step: float, scenario: Scenario) -> list[Problem]:
-    """The problem of a step that does not suit the longest run of a scenario."""
+def _check_step(step: float, scenario: Scenario, request: Request) -> list[Problem]:
+    """The problem of a step that does not suit the longest run of a scenario.
+
+    Measures of one's own do not go by it.
+    """
     t_end = scenario.t_end
     if step > 0.0 and t_end / step > MOST_ROWS:
         what = f"{t_end:g} s would have more than {MOST_ROWS} instants"
         right = f"a step of at least {t_end / MOST_ROWS:.2g} s"
         return [Problem("--step", "", what, f"{step:g} s", right)]
-    if step > 0.0 and len(instants(t_end, step)) < FEWEST:
+    if not callable(request.measures) and step > 0.0 and len(instants(t_end, step)) < FEWEST:
         what = f"{t_end:g} s would have fewer than {FEWEST} instants"
         right = f"a step of at most {t_end / (FEWEST - 1):g} s"
         return [Problem("--step", "", what, f"{step:g} s", right)]
@@ -235,8 +238,9 @@ def _check_engine(engine: str, scenario: Scenario) -> list[Problem]:
 
 
 def _try_values(
-    base: Base, found: Design, step: float, identities: dict[tuple[str, str], str]
-) -> list[Problem]:
+    base: Base, found: Design, step: float, identities: dict[tuple[str, str], str],
+    request: Request,
+) -> list[Problem]:  # fmt: skip
     """Problems of the values varied, each tried alone and, where that fails, in its first case."""
     problems: list[Problem] = []
     for k, path in enumerate(found.paths):
@@ -256,7 +260,7 @@ def _try_values(
                     problems += [_at_vary(p, path) for p in error.problems]
                     continue
             if path == END:
-                problems += _check_step(step, scenario)
+                problems += _check_step(step, scenario, request)
             if number_of(value) is None:  # it may name a file: what is in it counts
                 identities[path, value] = content(resolve(scenario))
     return problems

@@ -55,10 +55,11 @@ def pace_of(seen: np.ndarray, model: np.ndarray) -> tuple[float, float]:
     seen, model : ndarray (windows,)
         How far they go [SI].
     """
-    square = float(seen @ seen)
-    pace = float(model @ seen) / square
-    left = (model - pace * seen) * seen
-    return pace, float(np.sqrt(left @ left)) / square
+    square, both = float(seen @ seen), float(model @ seen)
+    # Without each window in turn: one that goes far fits itself.
+    without = (both - model * seen) / (square - seen**2)
+    count = seen.size
+    return both / square, float(np.sqrt((count - 1) * np.var(without)))
 
 
 def _ways(seen: Observation, predicted: np.ndarray) -> Iterator[tuple[float, float]]:

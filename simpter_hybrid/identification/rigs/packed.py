@@ -7,8 +7,8 @@ import numpy as np
 from ..fitting.replay import Replay
 from .rig import Rig
 
-#: What the notes of a replay say of where it starts, which is no part of what drives it.
-STARTS = ("start", "states")
+#: What the notes of a replay say of how it moves, which is no part of what drives it.
+MOTION = ("start", "states", "position", "speed", "acceleration")
 
 
 def packed(
@@ -27,7 +27,7 @@ def packed(
         Whether stages follow what plays it; None where the record is played at that period anyhow.
     """
     key = (period, staged, *replay.observed, *replay.notes)
-    notes = (note for name, note in replay.notes.items() if name not in STARTS)
+    notes = (note for name, note in replay.notes.items() if name not in MOTION)
     of = (rig, replay.time, replay.inputs, *notes)
     kept = replay.memo.get(key)
     if kept and all(x is y for x, y in zip(kept[0], of, strict=True)):
