@@ -10,7 +10,7 @@ exact engine at its default settings (which are much more exact than any of thes
 record, medians.  ``karnopp_best.csv`` beside this file
 was made by
 
-    python benchmarks/karnopp_best.py --runs 3 --out benchmarks/karnopp_best.csv
+    python benchmarks/karnopp_best.py --runs 10 --out benchmarks/karnopp_best.csv
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ section 7.5. It shares no friction code with the exact engine. It is run by thre
     python benchmarks/karnopp_scenarios.py --out benchmarks/karnopp_scenarios.csv
     python benchmarks/karnopp_ensemble.py --out benchmarks/karnopp_ensemble.csv --runs 100 \\
         --settings thesis,thesis-tight,fair,tuned --elsewhere elsewhere.json
-    python benchmarks/karnopp_best.py --runs 3 --out benchmarks/karnopp_best.csv
+    python benchmarks/karnopp_best.py --runs 10 --out benchmarks/karnopp_best.csv
     python benchmarks/karnopp_rules.py --out benchmarks/karnopp_rules.csv
     python benchmarks/karnopp_partings.py --out benchmarks/karnopp_partings.csv \\
         --examples benchmarks/karnopp_partings.json --elsewhere elsewhere.json
