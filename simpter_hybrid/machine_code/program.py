@@ -240,8 +240,9 @@ class Program:
         found = self.call(self.cases(1), room, **more)
         while found.done == 0:
             room = room.more()
-            heed = end_it if found.halted else heed  # the record was full just then
-            found = self.call(self.cases(1), room, heed=heed, **more)
+            full = found.halted  # the record was full just then
+            found = self.call(self.cases(1), room, heed=end_it if full else heed, **more)
+            found.halted = found.halted or full
         return found
 
 
