@@ -7,15 +7,13 @@ record in window after window is wrong itself, and its error says nothing of tha
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
-from ..fitting.replay import Observation
 from ..held_out_predictions import HeldOutPredictions
+from .window_ways import window_ways
 
-#: Fewest windows with a way of so many deviations of the means of its first and last quarter.
-FEWEST, FAR = 8, 8.0
+#: Fewest windows in which the record goes far.
+FEWEST = 8
 #: A pace is told that is off by so much, and by so many standard errors.
 OFF, ERRORS = 0.1, 4.0
 
@@ -25,10 +23,11 @@ def pace_sentence(told: HeldOutPredictions) -> str:
     for channel in dict.fromkeys(c for replay in told.replays for c in replay.observed):
         ways = np.array(
             [
-                way
+                (way.gone, way.went)
                 for i, replay in enumerate(told.replays)
                 if channel in replay.observed
-                for way in _ways(replay.observed[channel], told.after[channel][i])
+                for way in window_ways(replay.observed[channel], told.after[channel][i])
+                if way.far and np.isfinite(way.went)
             ]
         ).reshape(-1, 2)
         if len(ways) < FEWEST:
@@ -60,19 +59,3 @@ def pace_of(seen: np.ndarray, model: np.ndarray) -> tuple[float, float]:
     without = (both - model * seen) / (square - seen**2)
     count = seen.size
     return both / square, float(np.sqrt((count - 1) * np.var(without)))
-
-
-def _ways(seen: Observation, predicted: np.ndarray) -> Iterator[tuple[float, float]]:
-    """How far record and model go in each window of a channel that goes far enough."""
-    if not seen.lines or not seen.windows:
-        return
-    for a, b in zip(seen.windows, (*seen.windows[1:], seen.values.size), strict=True):
-        kept = seen.keep[a:b]
-        values, model = seen.values[a:b][kept], predicted[a:b][kept]
-        rows = max(1, values.size // 4)
-        if values.size < 2 * rows:
-            continue
-        far = FAR * seen.own * seen.sd * np.sqrt(2.0 / rows)
-        gone, went = (float(np.mean(v[-rows:]) - np.mean(v[:rows])) for v in (values, model))
-        if abs(gone) > far and np.isfinite(went):
-            yield gone, went
