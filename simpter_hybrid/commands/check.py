@@ -1,4 +1,7 @@
-"""Check scenarios and maps without running them; every problem of every file is reported."""
+"""Check scenarios and maps without running them; every problem of every file is reported.
+
+Of a recording a map is printed that is to be filled in.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,13 @@ from collections.abc import Sequence
 
 from . import DONE
 
-HELP = "check scenarios, and maps of recordings, without running them"
+HELP = "check scenarios and maps without running them; of a recording, print a map to fill in"
+
+#: Endings of recordings, without a further ``.gz``, and of what has to be saved as one first.
+DATA = (
+    ".csv", ".tsv", ".txt", ".dat", ".npz", ".npy", ".mat", ".tdms", ".xlsx", ".xls", ".ods",
+    ".parquet", ".h5", ".hdf5",
+)  # fmt: skip
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -15,7 +24,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "scenario",
         nargs="+",
-        help="names of shipped scenarios, TOML files (maps too), or - (a scenario on stdin)",
+        help="shipped scenarios, TOML files (maps too), - (a scenario on stdin), or recordings",
     )
     parser.add_argument(
         "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
@@ -37,6 +46,9 @@ def execute(args: argparse.Namespace) -> int:
     sound = []
     for name in args.scenario:
         try:
+            if _is_recording(name):
+                sound.append(_draft(name, args.set))
+                continue
             read = _map if _is_map(name) else _scenario
             sound.append(f"{name}: sound ({read(name, args.set)})")
         except InvalidInput as error:
@@ -51,6 +63,18 @@ def execute(args: argparse.Namespace) -> int:
     for told in sound:
         print(told)
     return DONE
+
+
+def _is_recording(name: str) -> bool:
+    """Whether a name is that of a file of data."""
+    return name.lower().removesuffix(".gz").endswith(DATA)
+
+
+def _draft(name: str, changes: Sequence[str]) -> str:
+    from ..identification.recordings.draft_map import draft_map
+
+    _refuse(changes, name, "a recording")
+    return draft_map(name).rstrip("\n")
 
 
 def _is_map(name: str) -> bool:
@@ -69,13 +93,17 @@ def _is_map(name: str) -> bool:
 
 def _map(name: str, changes: Sequence[str]) -> str:
     from ..identification.recordings.map_file import read_map
+
+    _refuse(changes, name, "a map")
+    channels = read_map(name).channels.values()
+    return "map of " + ", ".join(f"{c.signal} ({c.role}, {c.unit})" for c in channels)
+
+
+def _refuse(changes: Sequence[str], name: str, what: str) -> None:
     from ..problems import InvalidInput, Problem
 
     if changes:
-        raise InvalidInput([Problem(name, "--set", "a map", changes[0], "a scenario to change")])
-
-    channels = read_map(name).channels.values()
-    return "map of " + ", ".join(f"{c.signal} ({c.role}, {c.unit})" for c in channels)
+        raise InvalidInput([Problem(name, "--set", what, changes[0], "a scenario to change")])
 
 
 def _scenario(name: str, changes: Sequence[str]) -> str:

@@ -38,7 +38,10 @@ def find_map(name: str | None, recording: str, model: Path) -> Path:
     for file in (own, beside, MAPS / f"{model.stem}.toml"):
         if file.is_file():
             return file
-    right = f"{own}, {beside} or --map FILE.toml: channel -> column, unit, sign, role"
+    right = (
+        f"{own}, {beside} or --map FILE.toml: channel -> column, unit, sign, role"
+        f" (simpter check {recording} prints one to fill in)"
+    )
     raise InvalidInput([Problem("--map", "", "no map of the recording", "none", right)])
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import csv
 import zipfile
 import zlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -39,17 +40,33 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
         File unreadable, columns missing, cells that are no numbers, rows of wrong length.
     """
     source = str(data)
-    kind = source.lower()
+    with as_problems(source):
+        if source.lower().endswith((*ENDINGS, NAMELESS)):
+            return _from_arrays(source, read_arrays(source), described)
+        return read_text(source, described)
+
+
+@contextmanager
+def as_problems(source: str) -> Iterator[None]:
+    """What keeps a file from being read, as problems of it.
+
+    Parameters
+    ----------
+    source : str
+
+    Raises
+    ------
+    InvalidInput
+        If its format is none of those that are read, or what is done within fails to read it.
+    """
     for endings, what, right in UNREAD:
-        if kind.endswith(endings):
+        if source.lower().endswith(endings):
             raise InvalidInput([Problem(source, "", what, Path(source).suffix, right)])
     try:
         if special := not_a_file(source):
             right = "the name of a file (what comes through a pipe has to be saved first)"
             raise InvalidInput([Problem(source, "", special, source, right)])
-        if kind.endswith((*ENDINGS, NAMELESS)):
-            return _from_arrays(source, read_arrays(source), described)
-        return read_text(source, described)
+        yield
     except InvalidInput:
         raise
     except UnicodeDecodeError as error:

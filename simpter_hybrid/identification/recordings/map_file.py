@@ -18,6 +18,8 @@ from .clock import COUNTED, Clock, read_clock
 from .layout import Layout, read_layout
 from .start import Start, read_start
 
+#: Stands in a map for what is to be filled in.
+OPEN = "?"
 #: Column that every file has: its own name, unless one is called so.
 FILE = "file"
 
@@ -116,6 +118,8 @@ def read_map(file: str | Path) -> RecordingMap:
     channels = {}
     named = table.table("channels")
     for signal in named.data:
+        if signal.startswith(OPEN):
+            named.problem(signal, "a signal not filled in", "its name, such as position or force")
         channels[signal] = read_channel(named.table(signal), signal)
     if clock.intervals and time.column in {c.column for c in channels.values()}:
         right = "a column of its own: its stamps take the place of the intervals"

@@ -62,11 +62,11 @@ def body_of(source: str, layout: Layout) -> tuple[Line, Body]:
     InvalidInput
         If there is no line of names, or no row.
     """
-    lines = _lines(source)
+    lines = lines_of(source)
     if len(lines) < (1 if layout.columns else 2):
         raise InvalidInput([_empty(source, lines)])
     head, below = _parted(source, lines, layout)
-    mark = _mark(head.text, below[0].text, layout)
+    mark = mark_of(head.text, below[0].text, layout)
     names = [name.strip() for name in layout.columns or cells_of(head.text, mark)]
     if _marks_end(below, mark, len(names)):
         names.append("")
@@ -184,7 +184,7 @@ def _parted(source: str, lines: list[Line], layout: Layout) -> tuple[Line, list[
 def _named_below(below: Sequence[Line], described: RecordingMap) -> int:
     """Number of a line farther down that has all names; 0 if there is none."""
     for line in below[:SOUGHT]:
-        mark = _mark(line.text, line.text, described.layout)
+        mark = mark_of(line.text, line.text, described.layout)
         found = [name.strip() for name in cells_of(line.text, mark)]
         if set(described.needed()) <= set(found):
             return line.number
@@ -199,7 +199,7 @@ def _is_number(cell: str) -> bool:
     return True
 
 
-def _mark(names: str, row: str, layout: Layout) -> str:
+def mark_of(names: str, row: str, layout: Layout) -> str:
     """Mark that parts the cells of a line of names, and of the row below it."""
     if "\t" in names:
         return "\t"
@@ -211,7 +211,8 @@ def _mark(names: str, row: str, layout: Layout) -> str:
     return WHITE if apart else ","
 
 
-def _lines(source: str) -> list[Line]:
+def lines_of(source: str) -> list[Line]:
+    """The lines of a text that are not blank."""
     with (
         gzip.open(source, "rt", encoding="utf-8-sig")
         if source.lower().endswith(".gz")
