@@ -37,7 +37,7 @@ COMMONEST = (
 )  # fmt: skip
 STRENGTHS, WEAKER = (1.0, 0.6, 0.35), (0.2, 0.1)
 #: Draws of a null under one noise, and of everything else.
-NULLS, DRAWS = 100, 5
+NULLS, DRAWS = 100, 6
 #: Pairs that are drawn, a draw, and what their strengths are drawn from.
 DRAWN, DRAWN_STRENGTHS = 10, (1.0, 0.6)
 #: Not drawn: the pairs had been drawn before these were in the library.

@@ -4,7 +4,7 @@ import pytest
 from evidence import trial
 
 from simpter_hybrid.identification.tracing.conclusion import conclude
-from simpter_hybrid.identification.tracing.limits import SINGLE
+from simpter_hybrid.identification.tracing.limits import REPEATED, SINGLE
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 SPREAD = ("vibration:speed", "ringing:breakaway")
@@ -74,12 +74,18 @@ def test_effects_that_are_all_open_name_nothing_however_much_they_explain():
     assert conclude(closed, 0.95, 1.25).kind == "form incomplete"
 
 
-@pytest.mark.parametrize(("share", "kind"), [(0.89, "unknown"), (0.91, "form incomplete")])
-def test_a_form_and_a_patch_that_leave_much_name_nothing(share, kind):
+@pytest.mark.parametrize(
+    ("share", "ratio", "kind"),
+    [
+        (0.89, 1.03, "unknown"), (0.91, 1.03, "effect"),
+        (0.94, 1.07, "unknown"), (0.96, 1.07, "form incomplete"),
+    ],
+)  # fmt: skip
+def test_a_form_and_a_patch_that_leave_much_name_nothing(share, ratio, kind):
     form = Verdict("form incomplete", trial("a", 1.3), (), ("f:x",))
     patch = Verdict("open", trial("b", 1.2), (), ("f:y",))
     left = Verdict("unknown", None, (), ("f:y",))
-    said = conclude([form, patch, left], share, 1.07, ["f:x"])
+    said = conclude([form, patch, left], share, ratio, ["f:x"])
     assert (said.kind, said.coordinates[0]) == (kind, "f:x" if kind == "unknown" else "f:y")
 
 
@@ -103,7 +109,7 @@ def test_two_effects_that_go_by_the_same_and_leave_much_are_patches(second, shar
 
 @pytest.mark.parametrize(
     ("second", "ratio", "kind"),
-    [(("f:x",), 1.07, "unknown"), (("f:y",), 1.07, "form incomplete"), (("f:x",), 1.03, "effect")],
+    [(("f:x",), 1.6, "unknown"), (("f:y",), 1.6, "form incomplete"), (("f:x",), 1.1, "effect")],
 )
 def test_nor_do_two_that_go_by_the_same_if_a_further_round_sees_more_of_it(second, ratio, kind):
     rounds = [
@@ -111,7 +117,7 @@ def test_nor_do_two_that_go_by_the_same_if_a_further_round_sees_more_of_it(secon
         Verdict("form incomplete", trial("b", 1.1, coordinates=second)),
         Verdict("unknown", None, (), ("f:x",)),
     ]
-    assert conclude(rounds, 0.85, ratio).kind == kind
+    assert conclude(rounds, 0.85, ratio, limit=SINGLE).kind == kind
 
 
 @pytest.mark.parametrize(
@@ -132,3 +138,28 @@ def test_what_hardly_raises_the_error_or_is_an_effects_own_takes_no_name_back(
     second = Verdict("form incomplete", trial("b", 1.15, coordinates=(f"friction:{own}",)))
     rounds = [first, second, Verdict("unknown", None, (), left)]
     assert conclude(rounds, share, 1.15).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("own", "left", "share", "ratio", "limit", "kind"),
+    [
+        ("excitation", "friction:excitation", 0.94, 1.07, REPEATED, "unknown"),
+        ("excitation", "friction:excitation", 0.96, 1.07, REPEATED, "form incomplete"),
+        ("excitation", "friction:excitation", 0.94, 1.04, REPEATED, "form incomplete"),
+        ("excitation", "vibration:excitation", 0.94, 1.07, REPEATED, "form incomplete"),
+        ("displacement_since_reversal", "friction:speed", 0.94, 1.07, REPEATED, "form incomplete"),
+        ("excitation", "friction:excitation", 0.94, 2.0, SINGLE, "form incomplete"),
+        ("excitation", "friction:excitation", 0.94, 4.0, SINGLE, "unknown"),
+    ],
+)
+def test_a_law_that_leaves_a_force_above_what_a_right_form_leaves_is_another_one(
+    own, left, share, ratio, limit, kind
+):
+    found = trial("a", ratio, coordinates=(f"friction:{own}",))
+    rounds = [Verdict("form incomplete", found, (), (left,))]
+    assert conclude(rounds, share, ratio, ["friction:torque"], limit).kind == kind
+
+
+def test_a_set_of_effects_that_cannot_be_told_apart_stays_one_whatever_it_leaves():
+    first = Verdict("cannot be told apart", trial("a", 1.2), (trial("b", 1.2),), ("friction:x",))
+    assert conclude([first], 0.9, 1.2).kind == "cannot be told apart"
