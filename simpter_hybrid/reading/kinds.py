@@ -185,6 +185,8 @@ def _import_file(name: str, file: Path) -> ModuleType:
     loaded = sys.modules.get(name)
     if loaded is not None and LOCAL_MODULES.get(name) == file:
         return loaded
+    if loaded is not None and _is_of(loaded, file):  # by the script that runs the scenario beside
+        return _taken(name, loaded, file, file.read_text(encoding="utf-8"))
     if name in sys.stdlib_module_names or (loaded is not None and name not in LOCAL_MODULES):
         raise UnknownKindError(f"{file.name} has the name of another module", "a name of its own")
     loader = _Beside(name, str(file))
@@ -197,8 +199,18 @@ def _import_file(name: str, file: Path) -> ModuleType:
     except BaseException:
         del sys.modules[name]
         raise
+    return _taken(name, module, file, loader.get_source(name) or "")
+
+
+def _is_of(module: ModuleType, file: Path) -> bool:
+    """Whether a module was imported from a file."""
+    found = getattr(module, "__file__", None)
+    return found is not None and Path(found).resolve() == file
+
+
+def _taken(name: str, module: ModuleType, file: Path, text: str) -> ModuleType:
+    """The module, kept as one that stands beside a scenario, with its text."""
     LOCAL_MODULES[name] = file
-    text = loader.get_source(name) or ""
     _TEXTS.update((each, text) for each in vars(module).values() if _made_in(name, each))
     return module
 
