@@ -38,7 +38,8 @@ class Effect(Part):
             An inertia to be added on the diagonal [kg m^2 or kg], constant in time.
     States:
         every name in ``states`` has a ``<name>_rate(...)`` [its unit/s]; states start at 0, those
-        in ``settled`` at the clutch's excitation, of a coordinate at its speed, when a run begins.
+        in ``settled`` at the clutch's excitation, of a coordinate at its speed, when a run begins
+        (and where a replay sets the speed anew, the state is changed by as much).
     Guards:
         every name in ``guards`` has a ``<name>_guard(...)``, a number above 0 while nothing
         happens, and a ``<name>_jump(t, y, p, held, dmode, states_at, modes_at)`` that changes

@@ -2,6 +2,7 @@
 
 from math import cos, exp, pi, sin, sqrt
 
+import numpy as np
 import pytest
 from devices_for_tests import Coulomb, Ramp
 
@@ -49,3 +50,16 @@ def test_a_force_moves_the_centre_and_sets_both_swinging(damping):
 
 def test_what_is_pushed_by_nothing_moves_on_together():
     assert pushed(0.0, 0.05).end[:2] == pytest.approx([SPEED * T, SPEED], rel=CLOSE)
+
+
+def test_a_part_goes_on_beside_the_coordinate_where_a_replay_sets_its_motion_anew():
+    pytest.importorskip("llvmlite", reason="replays run in the compiled engine (extra compiled)")
+    from simpter_hybrid.on_grid import simulate_on_grid
+
+    # Mostly part, as stiff as a rod: with the speed of the window before it would take over.
+    effect = FlexibleMode(coordinate=0, mass=0.99 * J, frequency=50.0, damping=1.0)
+    clutch = Clutch(Coulomb(0.0, 0.0))
+    scenario = Scenario("set anew", Testbed(J), (clutch,), (0.0,), (SPEED,), T, effects=(effect,))
+    anew = (np.array([0.5]), np.array([[0.0]]), np.array([[2.0 * SPEED]]))
+    told = simulate_on_grid(scenario, np.array([0.4, 0.6, 1.2]), anew)
+    assert told.qd[:, 0] == pytest.approx([SPEED, 2.0 * SPEED, 2.0 * SPEED], rel=CLOSE)

@@ -15,8 +15,8 @@ class FlexibleMode(Effect):
     """Takes ``mass`` off the coordinate's inertia and hangs it on a spring and a damper.
 
     So the inertia that is declared stays that of all together.  At the start of a run the part
-    moves along and the spring is unloaded; where a replay sets the motion anew it goes on as it
-    was.
+    moves along and the spring is unloaded; where a replay sets the motion anew the part goes on as
+    it was beside the coordinate.
 
     Source: J. P. Den Hartog, Mechanical Vibrations (1934), chapter 3: two degrees of freedom.
 

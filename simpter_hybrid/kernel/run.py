@@ -145,8 +145,16 @@ def flow_on(md, o, at_grid, t, target, h, count, w, y, rec):
 
 
 def restart(md, o, at_restart, w, y):
-    """Set the motion and forget the modes: signs of the speeds say which way clutches slip."""
+    """Set the motion and forget the modes: signs of the speeds say which way clutches slip.
+
+    What begins a run at a speed is changed as that is, so that it goes on as it was beside it: a
+    part on a spring would carry the speed of the window before into this one.
+    """
     n = md.n
+    for k in range(md.nz):
+        b = md.begins[k] - 1
+        if n <= b and b < 2 * n:
+            y[2 * n + md.m + k] += o.restart_y[at_restart * 2 * n + b] - y[b]
     for j in range(2 * n):
         y[j] = o.restart_y[at_restart * 2 * n + j]
     for i in range(md.m):
