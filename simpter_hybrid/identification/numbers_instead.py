@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
+from itertools import pairwise
+from math import sqrt
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from ..scenario import Scenario
 from .fitting.farther import best_along
@@ -19,6 +23,10 @@ DRIVING, MOVED = ("constant", "resistance"), ("mass", "inertia")
 #: Factors of such a number that are tried before a fit, and the bounds and the step of that.
 TRIED = (1e-3, 0.01, 0.07, 0.25, 0.5, 2.0, 4.0, 15.0, 50.0, 100.0, 1e3, 1e4, 1e5)
 LEAST, MOST, STEP = 1e-4, 1e6, 0.02
+#: Times that the interval about the best of them is halved before the fit: ten times the true
+#: inertia nearly rests, no step of a fit leads from there, and the widest interval (1.8 decades) is
+#: then one of a third.
+HALVED = 3
 #: A number that is off by less is within what tolerances usually are.
 OFF = 1.5
 #: Iterations of a fit.
@@ -134,8 +142,7 @@ def _refitted(
 
     def begun(start: Mapping[str, float]):
         fitter, begin = freed(1.0), {**start, number: 0.0}
-        at, share = fitter.residuals(begin), [fitter.parameters[-1]]
-        values, at = best_along(fitter, begin, at, share, lambda p, x: [t - 1.0 for t in TRIED])
+        values, at = _best_factor(fitter, begin)
         return freed(1.0 + values[number]).fit(values, iterations=ITERATIONS, at=at)
 
     # A refit may have driven all other numbers far, in place of this one.
@@ -143,3 +150,25 @@ def _refitted(
     values = min(map(begun, (fitted, nominal)), key=lambda fit: fit.cost).values
     left = rms(weighted_residuals(freed(1.0).predictor, values, replays)) / error
     return NumberInstead(name, 1.0 + values[number], left)
+
+
+def _best_factor(fitter: Fitter, begin: Mapping[str, float]) -> tuple[Mapping[str, float], Any]:
+    """The best of `TRIED`, then of ever nearer ones between it and its neighbours; residuals.
+
+    The number that is free is the fitter's last, a share.
+    """
+    free = fitter.parameters[-1]
+
+    def best(values: Mapping[str, float], at: np.ndarray, factors: Sequence[float]):
+        return best_along(fitter, values, at, [free], lambda p, x: [t - 1.0 for t in factors])
+
+    values, at = best(begin, fitter.residuals(begin), TRIED)
+    known = sorted((1.0, *TRIED))
+    for _ in range(HALVED):
+        factor = 1.0 + values[free.name]
+        k = int(np.argmin(np.abs(np.log(np.divide(known, factor)))))
+        between = [sqrt(a * b) for a, b in pairwise(known)]
+        halves = between[max(k - 1, 0) : k + 1]
+        values, at = best(values, at, halves)
+        known = sorted((*known, *halves))
+    return values, at
