@@ -13,7 +13,7 @@ from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.problems import InvalidInput
 
 
-def test_it_is_told_with_the_factor_on_what_moves(tmp_path, monkeypatch):
+def test_it_is_told_and_no_factor_that_leaves_more_than_rest_does(tmp_path, monkeypatch):
     recording, model = as_recorded(recorded_axis(tmp_path, ())), declared_axis()
     light = replace(model, device=replace(model.device, inertia=model.device.inertia / 1000.0))
     bench = bench_of(recording, light, groups_of(recording))
@@ -22,5 +22,5 @@ def test_it_is_told_with_the_factor_on_what_moves(tmp_path, monkeypatch):
     monkeypatch.setattr(hopeless, "_eased", lambda *_: False)
     with pytest.raises(InvalidInput) as told:
         refuse_hopeless(bench, recording, values, values, parts)
-    assert "the model's numbers: device.inertia " in str(told.value)
-    assert "of factors on what is measured position times " in str(told.value)
+    assert "the model's numbers: device.inertia 1,000 times as declared" in str(told.value)
+    assert "of factors on what is measured" not in str(told.value)

@@ -29,6 +29,9 @@ EASING = ("viscous-drag", "friction-scale", "bias-force")
 #: ... and not because it now rests where something moves: so near to what no motion at all leaves,
 #: and that many times the noise.
 RESTS, MOVES_BY = 0.01, 3.0
+#: A number or a factor on what is measured is told if it leaves so small a part of what no motion
+#: at all does: with a huge inertia, whatever is wrong, a model rests and errs far less.
+OF_REST = 0.5
 #: Signals of what moves.
 MOVES = ("speed", "position")
 #: Iterations of their fits.
@@ -65,8 +68,8 @@ def refuse_hopeless(
         return
     what = "the refitted model errs more than if nothing had changed since each window began"
     right = "the columns, units and signs of what drives and what moves; the model's numbers"
-    # A number that leaves so little is off by as much as the model is.
-    numbers = numbers_instead(predictor, fitted, parts["fit"], replays, HOPELESS / times)
+    most = OF_REST / times
+    numbers = numbers_instead(predictor, fitted, parts["fit"], replays, most)
     if numbers:
         told = (f"{one.said} leaves {_percent(one.left)} of the error" for one in numbers)
         right += f": {' and '.join(told)} (one at a time, the others refitted)"
@@ -75,7 +78,7 @@ def refuse_hopeless(
     device = predictor.declared.device
     if getattr(device, "weight", 0.0) and hasattr(device, "hanging"):
         right += ", and where its weight hangs (the device's `hanging`, or 180 deg of `offset`)"
-    right += "".join(_nearest(bench, recording, values, fitted, replays))
+    right += "".join(_nearest(bench, recording, values, fitted, replays, most))
     right += exchanged_columns(bench, recording, values, "select", HOPELESS)
     got = f"{times:.3g} times as much"
     raise InvalidInput([Problem(recording.map.source, "channels", what, got, right)])
@@ -87,12 +90,16 @@ def _nearest(
     values: Mapping[str, float],
     fitted: Mapping[str, float],
     replays: Sequence[Replay],
+    most: float,
 ) -> Iterator[str]:
-    """Words on the factors on what drives, and on what is measured, that leave least."""
+    """Words on the factors on what drives, and on what is measured, that leave least.
+
+    The latter only if it leaves no more than `most`: beside a huge motion any model rests.
+    """
     error = rms(weighted_residuals(cast(Any, bench.predictor), fitted, replays))
     for role, said in (("input", "drives"), ("measured", "is measured")):
         best = least_wrong(bench, recording, values, replays, error, role)
-        if best is not None:
+        if best is not None and (role == "input" or best.left <= most):
             left = f"{best.changed} leaves {_percent(best.left)} of the error"
             yield f"; of factors on what {said} {left}, and none less"
 
