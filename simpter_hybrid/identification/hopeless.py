@@ -64,7 +64,7 @@ def refuse_hopeless(
     """
     predictor, replays = cast(Any, bench.predictor), parts["select"]
     times = over_rest(predictor.predict(fitted, replays), replays)
-    if times <= HOPELESS or _eased(bench, fitted, parts["fit"], replays):
+    if not times > HOPELESS or _eased(bench, fitted, parts["fit"], replays):
         return
     what = "the refitted model errs more than if nothing had changed since each window began"
     right = "the columns, units and signs of what drives and what moves; the model's numbers"
