@@ -75,19 +75,24 @@ def _of_nothing(found: Diagnosis) -> str:
 
 def _of_lack_or_noise(found: Diagnosis) -> str:
     on = depends_on(found.search.verdict.coordinates, is_straight(found))
-    if (remark := untested(found.remarks)) is not None:
+    ratio = found.search.corrected.select_error / found.search.floor
+    remark = untested(found.remarks)
+    near = remark is not None and ratio <= found.limits.lack
+    # What runs held out show, though others could not, is far from what any model would do.
+    if found.only_held_out or (near and held_out(found) > most_carried_over(found)):
+        why = f"; {remark.what}, {remark.value}" if remark is not None else ""
+        tells = _would_tell(found) if remark is None else ""  # the same once more tests nothing
+        return (
+            "It cannot be told whether something is missing: the runs that fit and select show "
+            f"nothing (on the latter the error is {ratio:.2f} times the floor{why}), but it is "
+            f"{held_out_text(found)}. These may show what the others do not, or have more "
+            f"noise. Let some of their kind fit or select as well{tells}."
+        )
+    if near and remark is not None:
         return (
             f"It cannot be told whether something is missing: {remark.what} ({remark.value}), and "
             "so nearly every model would do as well as this one. Are the columns and their units "
             "right? Move farther or faster, or log the speed, or a finer position."
-        )
-    if found.only_held_out:
-        ratio = found.search.corrected.select_error / found.search.floor
-        return (
-            "It cannot be told whether something is missing: the runs that fit and select show "
-            f"nothing (on the latter the error is {ratio:.2f} times the floor), but it is "
-            f"{held_out_text(found)}. These may show what the others do not, or have more "
-            f"noise. Let some of their kind fit or select as well{_would_tell(found)}."
         )
     if _of_the_driver(found):
         return (
