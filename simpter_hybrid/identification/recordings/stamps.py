@@ -118,20 +118,24 @@ def _followed_by(
 
 
 def _rounded(run: RecordedRun, jitter: np.ndarray) -> bool:
-    """Whether even rows are off their stamps by no more than what these were rounded by."""
-    return float(np.ptp(jitter)) <= ROUNDED * max(map(stamped_to, _alike(run.time)))
+    """Whether even rows are off their stamps by no more than what these were rounded by.
 
-
-def _alike(time: np.ndarray) -> Iterator[np.ndarray]:
-    """Steps of all stamps, and of those of the highest power of ten [s].
-
-    With three digits 0.967 and 2.17 are written: the late ones are rounded most.
+    With three digits 0.967 and 2.17 are written: to what the late ones are rounded is seen, and
+    those before are to a tenth of that.  By the late ones alone a run that ends calmly looks so.
     """
-    yield np.diff(time)
-    highest = 10.0 ** np.floor(np.log10(np.abs(time).max()))
-    late = np.diff(time[np.abs(time) >= highest])
-    if np.count_nonzero(late > 0.0) >= FEWEST:
-        yield late
+    if float(np.ptp(jitter)) <= ROUNDED * stamped_to(np.diff(run.time)):
+        return True
+    powers = np.floor(np.log10(np.maximum(np.abs(run.time), np.finfo(float).tiny)))
+    late = np.diff(run.time[powers == powers.max()])
+    if np.count_nonzero(late > 0.0) < FEWEST:
+        return False
+    unit, even = stamped_to(late), run.time - jitter
+    for power in np.unique(powers):
+        of = powers == power
+        most = ROUNDED * unit * 10.0 ** (power - powers.max())
+        if np.count_nonzero(of) > FEWEST and np.ptp(_off_line(even[of], run.time[of])) > most:
+            return False
+    return True
 
 
 def _counts(run: RecordedRun, channels: Mapping[str, ChannelMap]) -> bool:
