@@ -5,16 +5,18 @@ from dataclasses import replace
 import pytest
 from axis_recordings import declared_axis
 
+from simpter_hybrid.effects.spring_force import SpringForce
 from simpter_hybrid.identification.far_off import FarOff, by_its_inverse
 from simpter_hybrid.identification.reporting.cautions import far_off_sentence
 
 
-def told(number, weight=1.0, times=3.125):
+def told(*numbers, spring=None, **device):
     model = declared_axis()
-    groups = [{"name": "one", "parameters": [number], "relative": 0.1}]
-    device = replace(model.device, weight=weight)
-    declared = replace(model, device=device, notes={**model.notes, "tolerances": groups})
-    return by_its_inverse(FarOff("one", times, 0.2), declared)
+    groups = [{"name": "one", "parameters": [*numbers], "relative": 0.1}]
+    device = replace(model.device, **device)
+    notes, effects = {**model.notes, "tolerances": groups}, () if spring is None else (spring,)
+    declared = replace(model, device=device, effects=effects, notes=notes)
+    return by_its_inverse(FarOff("one", 3.125, 0.2), declared)
 
 
 @pytest.mark.parametrize(
@@ -24,15 +26,30 @@ def told(number, weight=1.0, times=3.125):
         ("device.inertia", 1.0, "all its forces 0.32 times as declared"),
         ("clutch.1.torque.coulomb", 0.0, "an inertia 0.32 times as declared"),
         ("clutch.1.torque.coulomb", 1.0, ""),  # the weight stays as it is
+        ("device.gear", 0.0, ""),
+        ("clutch.1.time_constant", 0.0, ""),
     ],
 )
 def test_what_looks_alike(number, weight, said):
-    assert told(number, weight) == said
+    assert told(number, weight=weight) == said
+
+
+def test_an_inertia_is_all_that_moves_only_with_the_rotors():
+    assert told("device.inertia", rotor=0.02) == ""
+    assert told("device.inertia", "device.rotor", rotor=0.02).startswith("all its forces 0.32")
+
+
+def test_a_spring_beside_a_weight_is_only_part_of_the_forces():
+    spring, stiff = SpringForce(stiffness=1.0, rest=0.5), "effect.1.SpringForce.stiffness"
+    assert told(stiff, spring=spring, weight=1.0) == ""
+    assert told("device.weight", spring=spring, weight=1.0) == ""
+    assert told(stiff, "device.weight", spring=spring, weight=1.0).startswith("an inertia 0.32")
+    assert told("effect.1.SpringForce.rest", spring=spring, weight=0.0) == ""
 
 
 def test_the_question_tells_it():
     off = FarOff("weight", 3.125, 0.22)
-    said = far_off_sentence(off, told("device.weight"))
+    said = far_off_sentence(off, told("device.weight", weight=1.0))
     assert said.endswith("are known: an inertia 0.32 times as declared, with the rest refitted, "
                          "would look alike.")  # fmt: skip
     assert "Nothing drives" not in far_off_sentence(off)

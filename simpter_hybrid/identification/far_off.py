@@ -11,7 +11,6 @@ import numpy as np
 from ..checks.validation import validate
 from ..problems import InvalidInput
 from ..scenario import Scenario
-from .axis.sizes import pulls_back
 from .doubted_channels import HALF
 from .fitting.farther import best_along
 from .fitting.fit import WIDE, Fitter
@@ -39,6 +38,9 @@ ASTRAY, PLAINLY = 10.0, 0.25
 #: Most others that are told beside the one with which least is left: of a motor's resistance that
 #: was declared a tenth of the true one ten times the inertia did nearly all as well.
 OTHERS = 2
+#: Last words of names of numbers to which a force is proportional, and of those that pull back.
+FORCES = ("weight", "stiffness", "stiffening", "coulomb", "viscous", "coefficient", "bias")
+PULLS = ("device.weight", "SpringForce.stiffness", "SpringForce.stiffening")
 
 
 class FarOff(NamedTuple):
@@ -116,16 +118,19 @@ def by_its_inverse(off: FarOff, declared: Scenario) -> str:
     """What does the same of an axis that nothing drives, in words; "" if nothing else does.
 
     Its motion tells ratios of forces to its inertia alone: a weight too small looks like an inertia
-    too large.
+    too large.  An inertia with a rotor's beside it that stays is only part of that, and so is a
+    force beside a weight or a spring that stays.
     """
     groups = {t["name"]: t["parameters"] for t in declared.notes.get("tolerances", ())}
     numbers = groups.get(off.name, ())
     if not numbers:
         return ""
-    if all(n in moved_numbers(declared) for n in numbers):
+    if {*numbers} == moved_numbers(declared).keys():
         return f"all its forces {1.0 / off.times:.3g} times as declared"
-    pulls = all(n == "device.weight" or ".SpringForce." in n for n in numbers)
-    if pulls or not pulls_back(declared):  # of a friction beside a weight it is not so
+    values = zip(declared.parameter_names(), declared.parameter_values(), strict=True)
+    pulls = {name for name, value in values if value and name.endswith(PULLS)}
+    # Of a friction beside a weight it is not so, nor of a gear or a time.
+    if pulls <= {*numbers} and all(n.split(".")[-1] in FORCES for n in numbers):
         return f"an inertia {1.0 / off.times:.3g} times as declared"
     return ""
 
