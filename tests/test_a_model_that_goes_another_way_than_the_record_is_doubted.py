@@ -26,6 +26,10 @@ def test_a_model_that_goes_a_part_of_the_way_everywhere_is_told(part, words):
     assert words in said(part * WAY)
 
 
+def test_where_it_rests_it_goes_at_no_pace():
+    assert said(0.0 * WAY) == ""
+
+
 def test_errors_of_starts_that_go_either_way_are_not():
     wrong = np.random.default_rng(2).normal(0.0, 0.3, len(WINDOWS))
     assert said(WAY * np.repeat(1.0 + wrong, 50)) == ""

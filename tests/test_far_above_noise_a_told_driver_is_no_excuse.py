@@ -19,7 +19,7 @@ def said(ratio, told):
     return lack_sentence(
         SimpleNamespace(
             search=search, limits=SIMULATED_AXIS._replace(told=told), floors=Floors(1.0, 1.0, 1.0),
-            taken_back=None, only_held_out=False, recording=None, remarks=(),
+            taken_back=None, only_held_out=False, recording=None, remarks=(), off_pace=False,
         )
     )  # fmt: skip
 

@@ -47,6 +47,7 @@ def said(
             levels=None,
             taken_back=None,
             only_held_out=only,
+            off_pace=False,
             remarks=(),
             empirical=None,
             error_by_stage={"after": held_out or ratio},

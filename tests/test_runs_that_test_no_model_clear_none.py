@@ -41,7 +41,8 @@ def said(select, report):
     )
     found = SimpleNamespace(
         search=search, taken_back=None, remarks=REMARKS, recording=None, only_held_out=False,
-        limits=SIMULATED_AXIS, floors=Floors(1.0, 1.0, 1.0), error_by_stage={"after": report},
+        off_pace=False, limits=SIMULATED_AXIS, floors=Floors(1.0, 1.0, 1.0),
+        error_by_stage={"after": report},
     )  # fmt: skip
     return lack_sentence(found)
 

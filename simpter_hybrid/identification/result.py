@@ -84,6 +84,8 @@ class Diagnosis:
         Whether these alone show more than noise.
     recording : Recording or None
         The recording as its rig took it: channels have the names by which they are compared.
+    off_pace : bool
+        Whether the model goes another way than the record where its error does not tell that.
     """
 
     search: SearchResult
@@ -113,6 +115,7 @@ class Diagnosis:
     forms: Mapping[str, tuple[Trial, ...]] = field(default_factory=dict)
     only_held_out: bool = False
     recording: Recording | None = None
+    off_pace: bool = False
 
 
 def corrected(found: Diagnosis, name: str) -> Scenario:

@@ -11,8 +11,6 @@ from ..held_out_predictions import HeldOutPredictions
 from ..recordings.recording import Recording
 from .window_ways import window_ways
 
-#: In such a window the record goes far, and the model moves by less than this part of that.
-RESTS = 0.25
 #: Fewest such windows, and part of all, that are told.
 FEWEST, PART = 3, 0.1
 
@@ -21,7 +19,7 @@ def creeping_sentence(told: HeldOutPredictions, recording: Recording) -> str:
     """How many windows of the runs held out creep while the model rests; "" if few do."""
     for channel in dict.fromkeys(c for replay in told.replays for c in replay.observed):
         gone = [
-            abs(way.gone) if way.far and way.reach < RESTS * abs(way.gone) else 0.0
+            abs(way.gone) if way.rests else 0.0
             for i, replay in enumerate(told.replays)
             if channel in replay.observed
             for way in window_ways(replay.observed[channel], told.after[channel][i])

@@ -2,14 +2,18 @@
 
 Of positions alone a window's start has a speed that is known badly, and of a straight line in what
 is left half of the way is forgiven.  Starts err either way: a model that goes slower than the
-record in window after window is wrong itself, and its error says nothing of that.
+record in window after window is wrong itself, and its error says nothing of that.  Where it rests
+it goes at no pace (`creeping`).
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..held_out_predictions import HeldOutPredictions
+from ..result import Diagnosis
 from .window_ways import window_ways
 
 #: Fewest windows in which the record goes far.
@@ -27,7 +31,7 @@ def pace_sentence(told: HeldOutPredictions) -> str:
                 for i, replay in enumerate(told.replays)
                 if channel in replay.observed
                 for way in window_ways(replay.observed[channel], told.after[channel][i])
-                if way.far and np.isfinite(way.went)
+                if way.far and np.isfinite(way.went) and not way.rests
             ]
         ).reshape(-1, 2)
         if len(ways) < FEWEST:
@@ -44,6 +48,15 @@ def pace_sentence(told: HeldOutPredictions) -> str:
                 "speed as well."
             )
     return ""
+
+
+def not_cleared_at_another_pace(found: Diagnosis, told: HeldOutPredictions) -> Diagnosis:
+    """The diagnosis whose all-clear is none where its error says nothing of the model's pace."""
+    done = found.search
+    if done.verdict.kind != "nothing missing" or not pace_sentence(told):
+        return found
+    unsure = replace(done, verdict=replace(done.verdict, kind="lack or noise"))
+    return replace(found, search=unsure, off_pace=True)
 
 
 def pace_of(seen: np.ndarray, model: np.ndarray) -> tuple[float, float]:

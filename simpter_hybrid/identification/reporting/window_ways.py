@@ -11,6 +11,8 @@ from ..fitting.replay import Observation
 
 #: A record goes far by so many deviations of the means of a window's first and last quarter.
 FAR = 8.0
+#: A model rests in a window where it moves by less than this part of the record's way.
+RESTS = 0.25
 
 
 class Way(NamedTuple):
@@ -23,6 +25,11 @@ class Way(NamedTuple):
     went: float
     reach: float
     far: bool
+
+    @property
+    def rests(self) -> bool:
+        """Whether the model rests where the record goes far."""
+        return self.far and self.reach < RESTS * abs(self.gone)
 
 
 def window_ways(seen: Observation, predicted: np.ndarray) -> Iterator[Way]:
