@@ -29,6 +29,7 @@ from .fitting.effort import USUAL, never
 from .fitting.fitted_model import Model
 from .fitting.residual import check_simulated, rms, weighted_residuals
 from .forms_beside import forms_beside
+from .percent import percent
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
@@ -106,14 +107,14 @@ def diagnose(
     first = first_refit(predictor, parts["fit"], nominal)
     early = doubted_first(bench, recording, nominal, first.values, parts)
     for doubt in early:
-        left = f"{doubt.changed} leaves {100 * doubt.left:.0f} % of the error"
-        others = "".join(f", {n.said} {100 * n.left:.0f} %" for n in doubt.numbers)
+        left = f"{doubt.changed} leaves {percent(doubt.left)} of the error"
+        others = "".join(f", {n.said} {percent(n.left)}" for n in doubt.numbers)
         remark(f"is the map right? {left}{others}")
     if (prefix := first_far_off(predictor, parts, first.values)) is not None:
         inverse = "" if recording.map.driven else by_its_inverse(prefix, declared)
         remark(
             f"is a declared number far off? {prefix.name} {prefix.times:g} times as declared "
-            f"leaves {100 * prefix.left:.2g} % of the error{inverse and f' (or {inverse})'}"
+            f"leaves {percent(prefix.left)} of the error{inverse and f' (or {inverse})'}"
         )
     search = WeightedSearch(bench, tried, parts, first.values, say)
     found, levels = runwise(search, search.settled(first.values))

@@ -18,6 +18,7 @@ from .fitting.floor import noise_floor
 from .fitting.replay import Replay
 from .fitting.residual import over_rest, rms, weighted_residuals
 from .numbers_instead import driving_numbers, numbers_instead
+from .percent import percent
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 
@@ -71,7 +72,7 @@ def refuse_hopeless(
     most = OF_REST / times
     numbers = numbers_instead(predictor, fitted, parts["fit"], replays, most)
     if numbers:
-        told = (f"{one.said} leaves {_percent(one.left)} of the error" for one in numbers)
+        told = (f"{one.said} leaves {percent(one.left)} of the error" for one in numbers)
         right += f": {' and '.join(told)} (one at a time, the others refitted)"
     else:
         right += _of_the_drive(predictor.declared)
@@ -100,12 +101,8 @@ def _nearest(
     for role, said in (("input", "drives"), ("measured", "is measured")):
         best = least_wrong(bench, recording, values, replays, error, role)
         if best is not None and (role == "input" or best.left <= most):
-            left = f"{best.changed} leaves {_percent(best.left)} of the error"
+            left = f"{best.changed} leaves {percent(best.left)} of the error"
             yield f"; of factors on what {said} {left}, and none less"
-
-
-def _percent(part: float) -> str:
-    return f"{100 * part:.2g} %" if part < 0.01 else f"{100 * part:.0f} %"
 
 
 def _eased(

@@ -12,6 +12,7 @@ from ..doubted_channels import Doubt
 from ..far_off import FarOff
 from ..fitting.effort import USUAL
 from ..map_changes import OFF_AXIS, OWN_ZERO
+from ..percent import percent
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
 from ..recordings.recording import Recording
@@ -79,11 +80,13 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     """Sentence on which channel's sign, unit or `held` a user should look at first."""
     if not doubts:
         return ""
-    every = {d.change.kind for d in doubts}
-    kinds = every - OF_SENSORS.keys()
+    asked_of = {d.change.kind for d in doubts}
+    kinds = asked_of - OF_SENSORS.keys()
     asked = [f"is a {' or a '.join(sorted(kinds))} in the map wrong"] if kinds else []
-    asked += [words for kind, words in OF_SENSORS.items() if kind in every]
-    numbers = sorted({n for d in doubts for n in d.numbers}, key=lambda n: n.left)[:OTHERS]
+    asked += [words for kind, words in OF_SENSORS.items() if kind in asked_of]
+    every = sorted((n for d in doubts for n in d.numbers), key=lambda n: n.left)
+    best = {n.name: n for n in reversed(every)}  # runs that fit and those that select ask of each
+    numbers = sorted(best.values(), key=lambda n: n.left)[:OTHERS]
     if numbers:  # what leaves less is asked first
         word = "are declared numbers" if len(numbers) > 1 else "is a declared number"
         asked.insert(0 if numbers[0].left < doubts[0].left else len(asked), f"{word} far off")
@@ -93,13 +96,13 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     if numbers:
         left.sort(key=lambda one: one[1])
     (with_it, part), *more = left
-    others = "".join(f", {said} {100 * other:.0f} %" for said, other in more)
+    others = "".join(f", {said} {percent(other)}" for said, other in more)
     # A mass on a spring with far too little friction declared asked for another unit of positions.
     unsure = "unit" in kinds and not numbers
     so = " A declared number that is far off may look like that." if unsure else ""
     return (
         f"{question[0].upper()}{question[1:]}? {with_it[0].upper()}{with_it[1:]} only "
-        f"{100 * part:.0f} % of the refitted model's error is left{others}.{so}"
+        f"{percent(part)} of the refitted model's error is left{others}.{so}"
     )
 
 
@@ -112,12 +115,12 @@ def far_off_sentence(off: FarOff | None, inverse: str = "") -> str:
         return ""
     others = "".join(
         f"{', or' if one is off.others[0] else ' or'} with {one.name} {one.times:.3g} times as "
-        f"declared {100 * one.left:.0f} %"
+        f"declared {percent(one.left)}"
         for one in off.others
     )
     return (
         "Is a declared number farther off than its tolerance says? With "
-        f"{off.name} {off.times:.3g} times as declared {100 * off.left:.0f} % of the refitted "
+        f"{off.name} {off.times:.3g} times as declared {percent(off.left)} of the refitted "
         f"model's error is left{others}."
         + f" Nothing drives the axis, so only ratios of its forces to its inertia are known: "
         f"{inverse}, with the rest refitted, would look alike." * bool(inverse)
@@ -130,7 +133,7 @@ def ruling_run_sentence(ruling: RulingRun | None) -> str:
         return ""
     return (
         f"Did something else act in {ruling.name} alone (a hand, a stop)? Refitted without it the "
-        f"declared model leaves {100 * ruling.left:.0f} % of its error on the runs that select."
+        f"declared model leaves {percent(ruling.left)} of its error on the runs that select."
     )
 
 
