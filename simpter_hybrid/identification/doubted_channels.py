@@ -198,15 +198,24 @@ def with_numbers(
     asked : mapping of str to sequence of Replay
         The runs that doubts are of, by their part.
     """
-    most = {d: min(HALF, FAR_WORSE * d.left) for d in doubts if d.change.kind == "unit"}
-    made = []
-    for doubt in doubts:
-        if doubt in most and not doubt.numbers:
-            replays = asked[doubt.part]
-            found = numbers_instead(predictor, fitted, runs, replays, most[doubt])
-            doubt = doubt._replace(numbers=found)
-        made.append(doubt)
-    return tuple(made)
+    most = {
+        d: min(HALF, FAR_WORSE * d.left)
+        for d in doubts
+        if d.change.kind == "unit" and not d.numbers
+    }
+    # What a number leaves is the same whatever unit is doubted.
+    found = {
+        part: numbers_instead(
+            predictor, fitted, runs, asked[part], max(m for d, m in most.items() if d.part == part)
+        )
+        for part in {d.part for d in most}
+    }
+
+    def near(doubt: Doubt) -> Doubt:
+        numbers = tuple(n for n in found[doubt.part] if n.left <= most[doubt])
+        return doubt._replace(numbers=numbers)
+
+    return tuple(near(doubt) if doubt in most else doubt for doubt in doubts)
 
 
 def _left_times(
