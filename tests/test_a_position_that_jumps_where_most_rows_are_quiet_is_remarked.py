@@ -31,6 +31,19 @@ def _told(course, channel=CHANNEL):
 def test_a_slipping_tracker():
     (said,) = _told(_slipping())
     assert "noise of position is not even" in said
+    # Three jumps in 240 rows, of which each makes three third differences.
+    assert "at 1 % the position jumps" in said
+
+
+def test_a_slip_within_a_row_looks_alike_and_is_said_to():
+    rests = 1e-3 * np.floor(TIME / 0.3)
+    noise = 2e-6 * np.random.default_rng(1).standard_normal(TIME.size)
+    run = SimpleNamespace(
+        name="run", rows=(1, 240), time=TIME, channels={"position": rests + noise}
+    )
+    (said,) = uneven_noise_remarks([run], {"position": CHANNEL})
+    assert "at 11 % the position jumps" in said.what  # 26 slips
+    assert "a slip that is over within a row, which looks alike" in said.right
 
 
 def test_not_where_its_noise_is_known():

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ..percent import percent
 from .channel_map import ChannelMap
 from .checks import Finding
 from .lone_samples import EVEN, lone_samples
@@ -29,7 +30,8 @@ OFTEN = 0.01
 PART = 0.01
 #: ... and each difference is followed by one the other way: over their square the product of
 #: neighbours is -0.75 for one row that is off, -0.67 where all later rows are off alike, and of a
-#: motion -0.5 for a sudden speed and 0 for a sudden force.
+#: motion -0.5 for a sudden speed and 0 for a sudden force.  A slip that is over within a row is a
+#: step as well, and nothing in the position tells it from a sensor's.
 BACK = -0.6
 #: Variance of third differences of white noise over its own.
 THIRD = 20.0
@@ -38,8 +40,8 @@ THIRD = 20.0
 class Jumps(NamedTuple):
     """What a position's third differences show: the noise of most rows and of all, and jumps.
 
-    ``usual`` and ``all_rows`` are standard deviations [SI], ``part`` is that of differences which
-    jumps have made, ``row`` where the largest is.
+    ``usual`` and ``all_rows`` are standard deviations [SI], ``part`` is that of rows at which one
+    begins, ``row`` where the largest is.
     """
 
     usual: float
@@ -62,7 +64,14 @@ def jumps_of(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> Jumps
     if float(third[1:] @ third[:-1]) > BACK * square or lone_samples(time, values).size:
         return None  # the latter are told one by one
     every = float(np.sqrt(square / third.size / THIRD))
-    return Jumps(usual, every, float(np.mean(far)), int(np.argmax(np.abs(third))) + 2)
+    return Jumps(usual, every, _jumps(third, far) / values.size, int(np.argmax(np.abs(third))) + 2)
+
+
+def _jumps(third: np.ndarray, far: np.ndarray) -> int:
+    """How many jumps third differences show, of which each makes three or four: their peaks."""
+    size = np.abs(third)
+    before, after = np.append(0.0, size[:-1]), np.append(size[1:], 0.0)
+    return int(np.count_nonzero(far & (size >= before) & (size > after)))
 
 
 def uneven_noise_remarks(
@@ -89,11 +98,12 @@ def uneven_noise_remarks(
         usual, every = (f"{x / channel.unit_scale:.2g}{channel.suffix}" for x in most[:2])
         what = (
             f"noise of {name} is not even{where}: most rows have {usual}, and at "
-            f"{100 * most.part:.0f} % some jump by far more, the most here"
+            f"{percent(most.part)} the position jumps by far more, the most here"
         )
         right = (
-            "even noise: errors are told in times that of most rows, which no model comes near "
-            f"where a sensor jumps; `noise` in the map counts jumps too (all rows have {every})"
+            "even noise, or a slip that is over within a row, which looks alike: errors are told "
+            "in times the noise of most rows, which no model comes near where a sensor jumps; then "
+            f"`noise` in the map counts jumps too (all rows have {every})"
         )
         row, stamp = run.rows[0] + most.row, float(run.time[most.row])
         yield Finding(
