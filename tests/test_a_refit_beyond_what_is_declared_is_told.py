@@ -19,6 +19,15 @@ def test_what_goes_beyond_it_and_not_far_is_told_apart():
     assert beyond == "friction +39.0 % (declared to 20 %)."
 
 
+def test_what_is_told_of_it_is_beyond_what_is_told_of_its_tolerance():
+    assert refit_sentence(found(1.0, 1.2003)) == ""  # +20.0 % is declared to 20 %
+    assert "friction +20.1 % (declared to 20 %)" in refit_sentence(found(1.0, 1.2006))
+    sharp = Parameter("friction", 1.0, 0.9, 1.1, 0.01, tolerance=3e-4)
+    moved = found(1.0, 1.0004)
+    moved.search.corrected.predictor.parameters = (MASS, sharp)
+    assert "friction +0.040 % (declared to 0.03 %)" in refit_sentence(moved)
+
+
 def test_what_moved_farther_is_told_with_what_was_declared():
     said = refit_sentence(found(0.88, 1.1))
     assert "mass -12.0 % (declared to 5 %)" in said

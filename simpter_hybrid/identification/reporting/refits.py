@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isfinite
+from math import floor, isfinite, log10
 from typing import Any
 
 from ..axis.sizes import pulls_back
@@ -37,12 +37,23 @@ def _beyond_tolerance(found: Diagnosis) -> list[str]:
     return [
         _told(p, off)
         for p, off in _refitted(found).items()
-        if abs(off) > p.tolerance and not (_far(p, off) or p.at_limit(values[p.name]))
+        if _beyond(p, off) and not (_far(p, off) or p.at_limit(values[p.name]))
     ]
 
 
 def _told(p: Parameter, off: float, limit: str = "") -> str:
-    return f"{p.name} {100 * off:+.1f} % (declared to {100 * p.tolerance:g} %{limit})"
+    return f"{p.name} {_off_text(p, off)} % (declared to {100 * p.tolerance:g} %{limit})"
+
+
+def _off_text(p: Parameter, off: float) -> str:
+    """A change in per cent, to a tenth or as much finer as its tolerance is."""
+    decimals = max(1, 1 - floor(log10(100 * p.tolerance)))
+    return f"{100 * off:+.{decimals}f}"
+
+
+def _beyond(p: Parameter, off: float) -> bool:
+    """Whether what is told of a change is beyond what is told of its tolerance."""
+    return abs(float(_off_text(p, off))) > float(f"{100 * p.tolerance:g}")
 
 
 def refits_told(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -> str:
