@@ -1,4 +1,4 @@
-"""What a name in a verdict means, in a few words."""
+"""What a name in a verdict means, in a few words; and what is said of its form."""
 
 from __future__ import annotations
 
@@ -9,6 +9,9 @@ from ..rigs.effect_candidate import EffectCandidate
 
 #: Errors of sensors that no record of angles and forces at a tip tells from the machine's geometry.
 TURNED_PARTS = ("angle-offset",)
+#: Of a form that leaves more than noise, and of one that may; its intervals say so as well.
+INCOMPLETE = " is incomplete"
+OR_NOISE = f"{INCOMPLETE}, or what is left is noise"
 
 
 def meaning(one: Candidate) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 
 from .by_curves import by_curves_text
 from .dependence_table import dependence_table
+from .meaning import INCOMPLETE, OR_NOISE
 from .run_errors import run_table
 from .tables import (
     candidate_table,
@@ -42,8 +43,12 @@ TOLD = (
 )  # fmt: skip
 #: Condition of an interval: it knows of noise, and not of how far a law is off.
 IF_RIGHT = "if the laws are right"
-#: ... where the search itself found that one is not.
+#: ... where the search itself found that one is not, or that one may not be.
 BY_NOISE = "by noise alone: a form is incomplete, and a true value may well lie outside"
+BY_KNOWN_NOISE = (
+    "by the noise that was allowed for: a form is incomplete, or there is more noise, and a true "
+    "value may well lie outside"
+)
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "
     "alarms on synthetic sets of them in which nothing more is missing; "
@@ -76,7 +81,7 @@ def _said(data: Mapping[str, Any]) -> list[str]:
         *(_paragraph(data[key]) for key in DOUBTED if data[key]),
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         _paragraph(data["kind"]),
-        _paragraph(_fitted(data["parameters"], _meant(data["verdict"]))),
+        _paragraph(_fitted(data["parameters"], _meant(data))),
         *(_paragraph(data[key]) for key in TOLD if data[key]),
         _own_values(data["run_to_run"]),
         _paragraph(data["empirical"]["sentence"]) if data["empirical"] else "",
@@ -94,7 +99,7 @@ def _tables(data: Mapping[str, Any], model: str) -> list[str]:
         "<h2>Error on the runs that fit and select</h2>",
         run_table(data["error_of_runs"]),
         "<h2>Parameters</h2>",
-        _parameters(data["parameters"], _meant(data["verdict"])),
+        _parameters(data["parameters"], _meant(data)),
         "<h2>Candidates</h2>",
         *(candidate_table(k, r, bool(data["cut_short"])) for k, r in enumerate(data["rounds"])),
         _paragraph(_refused(data["not_fitted"], bool(data["cut_short"]))),
@@ -126,9 +131,12 @@ def _paragraph(text: str) -> str:
     return f"<p>{html.escape(text)}</p>"
 
 
-def _meant(verdict: str) -> str:
-    """What an interval means beside such a verdict."""
-    return BY_NOISE if verdict == "form incomplete" else IF_RIGHT
+def _meant(data: Mapping[str, Any]) -> str:
+    """What an interval means beside such a verdict, as its sentence has it."""
+    if OR_NOISE in data["sentence"]:
+        return BY_KNOWN_NOISE
+    incomplete = data["verdict"] == "form incomplete" or INCOMPLETE in data["sentence"]
+    return BY_NOISE if incomplete else IF_RIGHT
 
 
 def _parameters(parameters: Sequence[Mapping[str, Any]], meant: str) -> str:

@@ -20,7 +20,7 @@ from .dependence_text import OF_BOTH, as_well, depends_on, is_straight
 from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence, noise_left_text
 from .level_sentences import levels_text
-from .meaning import meaning
+from .meaning import INCOMPLETE, OR_NOISE, meaning
 
 #: Family of what changes all that drives an axis by one factor.
 DRIVE_GAIN = "drive gain"
@@ -95,7 +95,7 @@ def _named(found: Diagnosis) -> str:
             f"{left}"
         )
     if verdict.kind == "form incomplete" or ratio > found.limits.form:
-        whose += " is incomplete, or what is left is noise" if noise else " is incomplete"
+        whose += OR_NOISE if noise else INCOMPLETE
         if ratio <= found.limits.form and verdict.coordinates:
             return (
                 f"The model lacks {text}; with it the error is {held} ({ratio:.2f} times on those "
