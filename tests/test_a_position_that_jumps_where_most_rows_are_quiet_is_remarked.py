@@ -32,7 +32,7 @@ def test_a_slipping_tracker():
     (said,) = _told(_slipping())
     assert "noise of position is not even" in said
     # Three jumps in 240 rows, of which each makes three third differences.
-    assert "at 1 % the position jumps" in said
+    assert "at 1.2 % the position jumps" in said
 
 
 def test_a_slip_within_a_row_looks_alike_and_is_said_to():

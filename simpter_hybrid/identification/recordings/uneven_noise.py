@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..percent import percent
 from .channel_map import ChannelMap
 from .checks import Finding
 from .lone_samples import EVEN, lone_samples
@@ -98,7 +97,7 @@ def uneven_noise_remarks(
         usual, every = (f"{x / channel.unit_scale:.2g}{channel.suffix}" for x in most[:2])
         what = (
             f"noise of {name} is not even{where}: most rows have {usual}, and at "
-            f"{percent(most.part)} the position jumps by far more, the most here"
+            f"{100 * most.part:.2g} % the position jumps by far more, the most here"
         )
         right = (
             "even noise, or a slip that is over within a row, which looks alike: errors are told "
