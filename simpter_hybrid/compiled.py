@@ -14,6 +14,7 @@ from .kernel import records
 from .kernel.records import events_at_once
 from .machine_code.program import Program, Results, Room
 from .running import failures
+from .running.blame import held_names
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
 
@@ -61,16 +62,37 @@ def outcome(scenario: Scenario, status: int, t: float, why: int) -> tuple[str, s
     t : float
         Instant at which it ended [s].
     why : int
-        Stop condition or clutch that ended it, from 0.
+        Stop condition or clutch that ended it, from 0; of an input as `kernel.rules.not_held`.
     """
     if status == 0:
         return "finished", "reached t_end"
     if status == records.HALTED:
         return "interrupted", f"interrupted at t = {t!r} s"
+    if status == records.NOT_HELD:
+        return "failed", sample_failure(scenario, t, why)
     if status < records.STOPPED or status >= records.MANY_EVENTS:
         return "failed", f"at t = {t!r} s {_why(scenario, status, why)}"
     word = "stopped" if status == records.STOPPED else "failed"
     return word, f"{scenario.stops[why].reason} at t = {t!r} s"  # type: ignore[attr-defined]
+
+
+def sample_failure(scenario: Scenario, t: float, why: int) -> str:
+    """What a sample held that is no finite number; names the controller if it is the only one.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    t : float
+        Instant of the sample [s].
+    why : int
+        As `kernel.rules.not_held`.
+    """
+    place, value = divmod(why, len(records.NO_FINITE))
+    wrong = f"{held_names(scenario)[place]} is {records.NO_FINITE[value]}"
+    source = "the engine 'reference' names the controller that it came from"
+    if len(scenario.controllers) == 1:
+        source = "it came from controller 1, step"
+    return f"{failures.at_sample(t, wrong)}; {source}"
 
 
 def _why(scenario: Scenario, status: int, which: int) -> str:

@@ -6,10 +6,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..running.blame import held_names
+from ..running.failures import at_sample
 from ..scenario import Scenario
 from ..trajectory import Event, Trajectory
 from . import records
-from .run import CHATTER, FINISHED, FULL, NOT_FINITE, SINGULAR, STOPPED
+from .run import CHATTER, FINISHED, FULL, NOT_FINITE, NOT_HELD, SINGULAR, STOPPED
 
 #: Status of a run that an exception of a part has ended.
 PART_FAILED = 11
@@ -52,7 +54,7 @@ class Ended(NamedTuple):
     t : float
         Instant at which it ended [s].
     which : int
-        Stop condition that ended it, from 0; -1 if none did.
+        Stop condition or held input that ended it, from 0; -1 if none did.
     y : array (ny,)
         State there.
     said : str
@@ -76,6 +78,9 @@ def outcome(scenario: Scenario, ended: Ended) -> tuple[str, str]:
     if status == STOPPED:
         stop: Any = scenario.stops[which]
         return "stopped" if stop.code == 2 else "failed", f"{stop.reason} at t = {t!r} s"
+    if status == NOT_HELD:
+        wrong = f"{held_names(scenario)[which]} is not a finite number"
+        return "failed", at_sample(t, wrong)
     return "failed", f"at t = {t!r} s {FAILURES[status]}"
 
 

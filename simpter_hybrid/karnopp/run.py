@@ -10,17 +10,21 @@ from .writing import keep_step, log_modes, open_segment, write_grid
 
 #: Rounds of jumps at one instant; what is still down then acts at the end of the next step.
 JUMPS = 5
-FINISHED, SINGULAR, NOT_FINITE, CHATTER, FULL, STOPPED = 0, 1, 6, 7, 9, 10
+FINISHED, SINGULAR, NOT_FINITE, CHATTER, NOT_HELD, FULL, STOPPED = 0, 1, 6, 7, 8, 9, 10
 
 
 def run(md, o, breaks, w, y, rec):
-    """Run from 0 to ``o.t_end``; returns (status, t, number of the stop condition or -1)."""
+    """Run from 0 to ``o.t_end``; returns (status, t, stop or held input that ended it, or -1)."""
     t = 0.0
     sampled = 0
     at_break = 0
     start(md, o, t, y, w, rec)
     h = 0.0
     while t < o.t_end:
+        for i in range(o.nh):
+            # Such a command would switch its clutch off, being above no threshold.
+            if not math.isfinite(w.held[i]):
+                return NOT_HELD, t, i
         if rec.n[STEPS] + rec.n[REJECTED] >= o.limit:
             return CHATTER, t, -1
         target = min(o.t_end, (sampled + 1) * o.period) if o.period > 0.0 else o.t_end

@@ -14,7 +14,9 @@ OFF, CLOSING, ON = 0, 1, 2
 #: Why a run ends, besides 0, the end of its time: 1 to 5 as ``settle``, and these.  ``FULL`` is no
 #: end but a record without room; ``STOPPED`` and ``FAILED`` are by a guard of the model.
 NO_NUMBER, ZENO, TOO_SHORT, FULL, STOPPED, FAILED = 6, 7, 8, 9, 10, 11
-MANY_EVENTS, INCOMPATIBLE, MANY_STEPS, HALTED = 20, 21, 22, 23
+MANY_EVENTS, INCOMPATIBLE, MANY_STEPS, HALTED, NOT_HELD = 20, 21, 22, 23, 24
+#: What a held input that is no finite number may be, by number; it ends a run as ``NOT_HELD``.
+NO_FINITE = ("nan", "inf", "-inf")
 #: What a jump hands back at a stop that ends the run as meant; 3 at one that fails it.
 ENDS = 2
 #: What is logged of an event, by number (``compiled.KINDS`` in words).

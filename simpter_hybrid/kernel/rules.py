@@ -1,5 +1,7 @@
 """Rules of both engines: which guard is acted on first, and which runs cannot go on."""
 
+import math
+
 from .records import STICK, events_at_once
 
 #: Slip of a stuck clutch, relative to the speeds it is made of, that is no longer rounding.
@@ -57,6 +59,22 @@ def contradicting(md, w, y):
                     independent = True
             if not independent and abs(slip) > NEAR * size:
                 return i
+    return -1
+
+
+def not_held(held, count):
+    """The first of so many held inputs that is no finite number, or -1.
+
+    As 3 times its place plus its place in ``NO_FINITE``.  Nothing else would notice: a command
+    that is not a number is above no threshold, and so switches its clutch off.
+    """
+    for i in range(count):
+        if not math.isfinite(held[i]):
+            if held[i] > 0.0:
+                return 3 * i + 1
+            if held[i] < 0.0:
+                return 3 * i + 2
+            return 3 * i
     return -1
 
 

@@ -14,6 +14,7 @@ from .records import (
     JUMPED,
     MANY_EVENTS,
     MANY_STEPS,
+    NOT_HELD,
     ON,
     PENDING,
     SEGMENTS,
@@ -25,7 +26,7 @@ from .records import (
     TOO_SHORT,
     ZENO,
 )
-from .rules import contradicting, first_fallen, zeno
+from .rules import contradicting, first_fallen, not_held, zeno
 from .screen import look
 from .step import advance
 
@@ -44,12 +45,15 @@ def run(md, o, rec, w, y):
     not finite; ``ZENO``; ``TOO_SHORT`` step size underflow; ``FULL`` a record is full;
     ``MANY_EVENTS`` more than ``o.event_limit``; ``INCOMPATIBLE`` clutch ``why`` is locked against
     the others; ``MANY_STEPS`` more than ``o.step_limit`` (0: as many as it takes); ``HALTED`` by
-    ``o.halt``.
+    ``o.halt``; ``NOT_HELD`` a sample held no finite number, ``why`` as ``not_held``.
     """
     m = md.m
     t = 0.0
     remember(md, w)
     sample(md, 0, t, y, w)
+    wrong = not_held(w.held, o.nh)
+    if wrong >= 0:
+        return NOT_HELD, t, wrong
     k = 1
     switch(md, t, y, w)
     status = logged(md, t, STARTED, -1, 0.0, y, w, rec)
@@ -97,6 +101,9 @@ def run(md, o, rec, w, y):
             remember(md, w)
             if t >= t_sample and t < o.t_end:
                 sample(md, k, t, y, w)
+                wrong = not_held(w.held, o.nh)
+                if wrong >= 0:
+                    return NOT_HELD, t, wrong
                 k += 1
             status = logged(md, t, SWITCHED, -1, 0.0, y, w, rec)
             if status != 0:

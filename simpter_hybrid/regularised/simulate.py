@@ -16,7 +16,7 @@ import numpy as np
 from scipy.integrate import BDF, LSODA, Radau
 
 from ..karnopp.gates import next_known, switch
-from ..running.blame import part_failure
+from ..running.blame import part_failure, sample_failure
 from ..running.failures import boundless, gave_up
 from ..running.recorder import Recorder, SimulationFailure
 from ..scenario import Scenario
@@ -147,10 +147,18 @@ def act(model: Smooth, sampled: int, t: float) -> None:
         Number of the sample, from 0.
     t : float
         [s].
+
+    Raises
+    ------
+    SimulationFailure
+        If a held input is then no finite number.
     """
     md, w = model.md, model.w
-    modes = model.modes(t, model.y)
-    md.control(sampled, t, model.read(model.y, modes), w.tau, md.p, md.rec, w.s, w.held, w.mem)
+    read = model.read(model.y, model.modes(t, model.y))
+    held, mem = list(w.held), list(w.mem)
+    md.control(sampled, t, read, w.tau, md.p, md.rec, w.s, w.held, w.mem)
+    if said := sample_failure(model.scenario, sampled, t, read, w, held, mem):
+        raise SimulationFailure(said)
 
 
 def note(

@@ -11,6 +11,7 @@ from types import CodeType, FrameType
 from typing import Any
 
 from ..problems import KeyPath
+from .failures import at_sample
 
 #: File name under which the assembled model is executed (``model.execute``).
 MODEL_FILE = "<assembled model>"
@@ -184,6 +185,35 @@ def sample_origin(
     return named[0] if named else "the controllers together"
 
 
+def sample_failure(
+    scenario: Any, k: int, t: float, y: Sequence[float], w: Any, held: list[float], mem: list[float]
+) -> str | None:
+    """Which held input is no finite number after a sample, and who wrote it; None if all are.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    k, t, y, w, held, mem
+        As for `sample_origin`; ``w.held`` is what was held.
+    """
+    wrong = held_not_finite(scenario, w.held)
+    if wrong is None:
+        return None
+    name = sample_origin(scenario.python_model(), k, t, y, w, held, mem)
+    return f"{at_sample(t, wrong)}; it came from {name}"
+
+
+def held_names(scenario: Any) -> list[str]:
+    """Held inputs by name: the commands, then what controllers hold beyond them.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    """
+    m = scenario.device.m
+    return [f"the command of clutch {i + 1}" for i in range(m)] + scenario.text.a.held
+
+
 def held_not_finite(scenario: Any, held: Sequence[float]) -> str | None:
     """Name of the first held input that is not a finite number; None if all are.
 
@@ -193,9 +223,7 @@ def held_not_finite(scenario: Any, held: Sequence[float]) -> str | None:
     held : sequence of float
         Clutch commands, then what controllers hold beyond them.
     """
-    m = scenario.device.m
-    names = [f"the command of clutch {i + 1}" for i in range(m)] + scenario.text.a.held
-    for name, value in zip(names, held, strict=False):
+    for name, value in zip(held_names(scenario), held, strict=False):
         if not math.isfinite(value):
             return f"{name} is {value}"
     return None

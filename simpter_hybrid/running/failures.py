@@ -81,6 +81,19 @@ def gave_up(scenario: Scenario, t: float, y: Sequence[float], reason: str) -> st
     )
 
 
+def at_sample(t: float, wrong: str) -> str:
+    """A sample holds what is no finite number.
+
+    Parameters
+    ----------
+    t : float
+        Its instant [s].
+    wrong : str
+        Which held input it is, and what it is.
+    """
+    return f"at the sample at t = {t!r} s {wrong}"
+
+
 def too_many(limit: int) -> str:
     """More events in a run than are allowed.
 

@@ -15,7 +15,7 @@ from ..kernel.instant import sample, settle
 from ..kernel.motion import NEVER, flow, guards
 from ..kernel.run import STALLED_AFTER, STALLED_BELOW
 from ..scenario import Scenario
-from .blame import held_not_finite, origin, sample_origin
+from .blame import origin, sample_failure
 from .checked import CHECKED, Checked
 from .failures import NO_MODE, STALLED, gave_up
 from .locking import contradiction
@@ -111,10 +111,8 @@ class Run:
         """
         held, mem = list(self.w.held), list(self.w.mem)
         sample(self.md, k, self.t, self.y, self.w)
-        if wrong := held_not_finite(self.scenario, self.w.held):
-            name = sample_origin(self.md, k, self.t, self.y, self.w, held, mem)
-            what = f"at the sample at t = {self.t!r} s {wrong}"
-            raise SimulationFailure(f"{what}; it came from {name}")
+        if said := sample_failure(self.scenario, k, self.t, self.y, self.w, held, mem):
+            raise SimulationFailure(said)
 
     def settle(self, cause: int, which: int = 0, margin: float = 0.0) -> None:
         """Find a mode that agrees with itself after an instant.
