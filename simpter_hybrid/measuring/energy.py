@@ -11,6 +11,10 @@ from ..trajectory import Trajectory
 from .samples import Samples
 from .sampling import sample
 
+#: Slip that beside an event is solver error, in absolute tolerances: a state may err by the root of
+#: their number of these in one step, and a few steps add up.
+SLIP_ERROR = 10.0
+
 
 @dataclass(frozen=True)
 class EnergyBalance:
@@ -76,6 +80,18 @@ def energy_balance(trajectory: Trajectory, samples: Samples | None = None) -> En
     s = sample(trajectory) if samples is None else samples
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows shows in the result
         return _balance(s)
+
+
+def power_beyond_tolerance(trajectory: Trajectory, samples: Samples | None = None) -> float:
+    """Largest power that a clutch delivers beyond what the solver's error in a slip explains [W].
+
+    Beside an event, where the slip is 0, it may have the wrong sign by about the absolute
+    tolerance; times the clutch's largest torque that is power which says nothing of its friction.
+    """
+    s = sample(trajectory) if samples is None else samples
+    with np.errstate(over="ignore", invalid="ignore"):
+        noise = SLIP_ERROR * trajectory.scenario.atol * abs(s.tau).max(axis=0, initial=0.0)
+        return float((s.tau * s.slip - noise).max(initial=0.0))
 
 
 def _balance(s: Samples) -> EnergyBalance:
