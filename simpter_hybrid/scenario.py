@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from .applied_load import Load
+from .applied_load import Load, far_apart
 from .assembly.assemble import ModelText
 from .assembly.model import SIGNATURES, execute
 from .clutch import Clutch
@@ -134,9 +134,14 @@ class Scenario:
         return ", ".join(names[k] for k in entries if k < 2 * n + 2 * m + nz + 2)
 
     def breakpoints(self) -> tuple[float, ...]:
-        """Known instants at which a load is not smooth [s], sorted, within the run."""
-        found = {t for load in self.loads for t in load.breakpoints() if 0.0 < t < self.t_end}
-        return tuple(sorted(found))
+        """Known instants at which a load is not smooth [s], sorted, within the run.
+
+        With the knots of smooth ones, where these are far apart.
+        """
+        found = {t for load in self.loads for t in load.breakpoints()}
+        for load in self.loads:
+            found.update(far_apart(load.knots(), self.max_step))
+        return tuple(sorted(t for t in found if 0.0 < t < self.t_end))
 
     def python_model(self) -> Model:
         """The model with its functions as plain Python on lists."""

@@ -15,8 +15,9 @@ from .piecewise import check_rising
 class RecordedTipForce(Load):
     """A sampled tip force as a curve with a continuous slope through its points.
 
-    Being smooth it ends no segments. Beyond the record the force stays what it was; a run from a
-    file that outlasts its record is refused.
+    Being smooth it ends no segments, but its curvature jumps at the points: states may err by up to
+    some 1e-7 of their size at the default tolerances. Beyond the record the force stays what it
+    was; a run from a file that outlasts its record is refused.
 
     Parameters
     ----------

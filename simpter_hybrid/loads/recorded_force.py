@@ -15,7 +15,11 @@ from .piecewise import check_rising
 class RecordedForce(Load):
     """A sampled force or torque as a curve with a continuous slope through its points.
 
-    Being smooth it ends no segments.
+    Its curvature jumps at the points, and its slope at both ends, beyond which the force stays what
+    it was. The ends and points farther apart than ``max_step`` of the run end segments, so that the
+    run is as accurate as its tolerances say. Denser ones do not, which would multiply the steps:
+    states may then err by up to some 1e-7 of their size at the default tolerances; a ``max_step``
+    below the points' distance buys the full accuracy.
 
     Parameters
     ----------
@@ -41,6 +45,10 @@ class RecordedForce(Load):
     def covers(self) -> tuple[float, float]:
         """First and last instant of the record [s]."""
         return self.points[0][0], self.points[-1][0]
+
+    def knots(self) -> tuple[float, ...]:
+        """The instants of the points [s]."""
+        return tuple(t for t, _ in self.points) if len(self.points) > 1 else ()
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then instants, forces and slopes."""
