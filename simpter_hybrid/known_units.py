@@ -69,6 +69,7 @@ DIMENSIONS = {
 BY_COORDINATE = {
     "coordinate": {"angle": "angle", "length": "length"},
     "coordinate speed": {"angle": "angular_speed", "length": "speed"},
+    "per coordinate speed": {"angle": "1/angular_speed", "length": "1/speed"},
     "coordinate force": {"angle": "torque", "length": "force"},
     "coordinate force rate": {"angle": "torque/time", "length": "force/time"},
     "coordinate damping": {"angle": "rotational_damping", "length": "damping"},
@@ -87,6 +88,7 @@ BY_COORDINATE = {
         "length": "voltage/(length*time)",
     },
     "force a volt": {"angle": "torque/voltage", "length": "force/voltage"},
+    "force a squared volt": {"angle": "torque/voltage^2", "length": "force/voltage^2"},
     "force an ampere": {"angle": "torque/current", "length": "force/current"},
 }
 

@@ -65,7 +65,7 @@ commands = ["1 V"]
 excitations = ["1 V"]
 [clutch.torque]
 kind = "linear"
-rated = "20 N*m"
+rated = "20 N"
 [[loads]]
 kind = "my_parts_{tag}:Push"
 coordinate = "x"

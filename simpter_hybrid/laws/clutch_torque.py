@@ -1,4 +1,7 @@
-"""Torque maps of clutches, from excitation [V] and slip speed [rad/s] to torque [N m]."""
+"""Torque maps of clutches, from excitation [V] and slip speed [rad/s] to torque [N m].
+
+Of surfaces that rub along a length, from slip speed [m/s] to force [N].
+"""
 
 from __future__ import annotations
 
@@ -23,14 +26,14 @@ class LinearTorque(TorqueLaw):
     Parameters
     ----------
     rated : float
-        Slip torque at ``full_scale`` [N m].
+        Slip torque at ``full_scale`` [N m or N].
     full_scale : float
         [V].
     ratio : float
         Breakaway torque over slip torque.
     """
 
-    rated: float = parameter("torque", low=0.0)
+    rated: float = parameter("coordinate force", low=0.0)
     full_scale: float = parameter("voltage", 10.0, above=0.0)
     ratio: float = parameter("dimensionless", 1.0)
 
@@ -55,14 +58,14 @@ class TestbedTorque(TorqueLaw):
     """
 
     scale: float = parameter("dimensionless", 1.0)
-    slope: float = parameter("1/angular_speed", 0.154, source="thesis (39)")
+    slope: float = parameter("per coordinate speed", 0.154, source="thesis (39)")
     offset: float = parameter("dimensionless", 0.9409, source="thesis (39)")
-    a: float = parameter("torque/voltage^2", 6.439 * LBF_IN, source="thesis (39)")
-    b: float = parameter("torque/voltage", 0.137 * LBF_IN, source="thesis (39)")
-    c: float = parameter("torque", 0.371 * LBF_IN, source="thesis (39)")
-    d: float = parameter("torque/voltage^2", 6.648 * LBF_IN, source="thesis (43)")
-    e: float = parameter("torque/voltage", 6.176 * LBF_IN, source="thesis (43)")
-    f: float = parameter("torque", 5.253 * LBF_IN, source="thesis (43)")
+    a: float = parameter("force a squared volt", 6.439 * LBF_IN, source="thesis (39)")
+    b: float = parameter("force a volt", 0.137 * LBF_IN, source="thesis (39)")
+    c: float = parameter("coordinate force", 0.371 * LBF_IN, source="thesis (39)")
+    d: float = parameter("force a squared volt", 6.648 * LBF_IN, source="thesis (43)")
+    e: float = parameter("force a volt", 6.176 * LBF_IN, source="thesis (43)")
+    f: float = parameter("coordinate force", 5.253 * LBF_IN, source="thesis (43)")
 
     scaled: ClassVar[tuple[str, ...]] = ("scale",)
     breaking: ClassVar[tuple[str, ...]] = ("d", "e", "f")
@@ -114,17 +117,17 @@ class ModifiedQuadratic(TorqueLaw):
     Parameters
     ----------
     a, b, c : float
-        Slip torque ``a v^2 + b v + c`` [N m/V^2, N m/V, N m].
+        Slip torque ``a v^2 + b v + c`` [N m/V^2, N m/V, N m; of a length in N].
     d, e, f : float
         Breakaway torque ``d v^2 + e v + f``, likewise.
     """
 
-    a: float = parameter("torque/voltage^2", above=0.0)
-    b: float = parameter("torque/voltage")
-    c: float = parameter("torque")
-    d: float = parameter("torque/voltage^2", above=0.0)
-    e: float = parameter("torque/voltage")
-    f: float = parameter("torque")
+    a: float = parameter("force a squared volt", above=0.0)
+    b: float = parameter("force a volt")
+    c: float = parameter("coordinate force")
+    d: float = parameter("force a squared volt", above=0.0)
+    e: float = parameter("force a volt")
+    f: float = parameter("coordinate force")
 
     scaled: ClassVar[tuple[str, ...]] = ("a", "b", "c", "d", "e", "f")
     breaking: ClassVar[tuple[str, ...]] = ("d", "e", "f")

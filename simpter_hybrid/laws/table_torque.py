@@ -22,10 +22,10 @@ class TableTorque(TorqueLaw):
     ----------
     points : tuple of (float, float, float)
         Excitation [V], slip torque at zero speed (or at any, without ``factors``) and breakaway
-        torque [N m]; rising excitation. Clutches are only valid if the table reaches from 0 V to
-        their full scale.
+        torque [N m or N]; rising excitation. Clutches are only valid if the table reaches from 0 V
+        to their full scale.
     factors : tuple of (float, float)
-        Slip speed [rad/s] and the factor on the slip torque there; rising speed.
+        Slip speed [rad/s or m/s] and the factor on the slip torque there; rising speed.
 
     Raises
     ------
@@ -34,10 +34,12 @@ class TableTorque(TorqueLaw):
     """
 
     points: tuple[tuple[float, float, float], ...] = rows(
-        ("excitation", "voltage"), ("slip torque", "torque"), ("breakaway torque", "torque")
+        ("excitation", "voltage"),
+        ("slip torque", "coordinate force"),
+        ("breakaway torque", "coordinate force"),
     )
     factors: tuple[tuple[float, float], ...] = rows(
-        ("speed", "angular_speed"), ("factor", "dimensionless"), default=((0.0, 1.0),)
+        ("speed", "coordinate speed"), ("factor", "dimensionless"), default=((0.0, 1.0),)
     )
 
     uses: ClassVar[tuple] = (hermite_value,)
@@ -48,11 +50,11 @@ class TableTorque(TorqueLaw):
                 f"points: a torque table of {len(self.points)} points; at least two are needed, "
                 "from 0 V to full scale"
             )
-        for name, unit, table in (("points", "V", self.points), ("factors", "rad/s", self.factors)):
+        for name, unit, table in (("points", " V", self.points), ("factors", "", self.factors)):
             for a, b in pairwise(table):
                 if b[0] <= a[0]:
                     raise ValueError(
-                        f"{name}: {b[0]:g} {unit} follows {a[0]:g} {unit}; sort the points so "
+                        f"{name}: {b[0]:g}{unit} follows {a[0]:g}{unit}; sort the points so "
                         "that the first column rises, and drop repeated ones"
                     )
 

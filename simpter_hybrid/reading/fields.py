@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from ..clutch import TorqueLaw
 from ..device import Device
 from ..known_units import BY_COORDINATE
 from ..part import Part
@@ -83,6 +84,9 @@ def build(table: TableReader, cls: type[Part], context: Context, **given: Any) -
     before = len(table.problems)
     values = dict(given)
     fields = [f for f in dataclasses.fields(cls) if f.init and f.name not in given]
+    if issubclass(cls, TorqueLaw) and _mixed(context.device) and not any(map(_is_index, fields)):
+        # Its surfaces may rub along lengths or over angles: no device says which.
+        context = context._replace(device=None)
     # Indices first: what other fields measure may depend on the coordinate.
     for f in sorted(fields, key=lambda f: not _is_index(f)):
         values[f.name] = _read_field(table, f, context, values)
@@ -98,6 +102,11 @@ def build(table: TableReader, cls: type[Part], context: Context, **given: Any) -
             what = f"{cls.__name__} refuses its values ({error})"
             table.problems.add(table.path, what, table.data, "values it accepts")
         return None
+
+
+def _mixed(device: Device | None) -> bool:
+    """Whether a device has coordinates that are angles and others that are lengths."""
+    return device is not None and len(set(device.coordinate_dimensions)) > 1
 
 
 def _is_index(f: dataclasses.Field) -> bool:
