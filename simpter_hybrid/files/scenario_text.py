@@ -12,8 +12,9 @@ from typing import Any, NamedTuple
 from ..part import Part
 from ..reading import sensors
 from ..reading.additions import begun_with, changed_numbers, written
+from ..reading.beside import texts_beside
 from ..reading.fields import coordinate_kind, resolved
-from ..reading.kinds import kind_of, text_beside
+from ..reading.kinds import kind_of
 from ..scenario import Scenario
 from ..units import format_quantity, si_unit
 from .provenance import labelled
@@ -106,7 +107,7 @@ class _Writer:
         found["device"] |= written(s.device)
         if noted:
             module = str(noted["kind"]).partition(":")[0]
-            self.module(module, s.notes.get("device module"))
+            self.module(module, s.notes.get("device modules"))
         found["start"] = self.start()
         found["clutches"] = [self.clutch(i) for i in range(len(s.clutches))]
         for key, family, parts in (
@@ -165,7 +166,7 @@ class _Writer:
             )
         if ":" in kind:
             module = type(part).__module__
-            self.module(module, text_beside(type(part), module))
+            self.module(module, texts_beside(type(part), module))
         return {"kind": kind} | self.fields(part, name)
 
     def fields(self, part: Part, name: str) -> dict[str, Any]:
@@ -214,15 +215,15 @@ class _Writer:
         self.files[f"{name}.csv"] = "\n".join(lines) + "\n"
         return {"file": f"{name}.csv", "columns": names, "units": units}
 
-    def module(self, name: str, text: str | None) -> None:
-        """Keep the text of a module that stood beside the scenario file; note that of another."""
-        if text is not None:
-            if self.files.setdefault(f"{name}.py", text) != text:
+    def module(self, name: str, texts: Mapping[str, str] | None) -> None:
+        """Keep the texts of a module beside the scenario file and its own; note that of another."""
+        for each, text in (texts or {}).items():
+            if self.files.setdefault(f"{each}.py", text) != text:
                 raise ValueError(
-                    f"parts of two modules called {name} cannot be written to one folder: "
+                    f"parts of two modules called {each} cannot be written to one folder: "
                     "give one of them another name"
                 )
-        elif name in sys.modules and name.partition(".")[0] != "simpter_hybrid":
+        if not texts and name in sys.modules and name.partition(".")[0] != "simpter_hybrid":
             try:
                 self.imported[name] = inspect.getsource(sys.modules[name])
             except (OSError, TypeError):  # of machine code there is none

@@ -8,16 +8,12 @@ package can be named.
 from __future__ import annotations
 
 import importlib
-import importlib.util
 import pkgutil
 import re
-import sys
 from functools import cache
-from importlib.machinery import SourceFileLoader
 from pathlib import Path
-from types import FunctionType, ModuleType
+from types import ModuleType
 from typing import Any, NamedTuple
-from weakref import WeakKeyDictionary
 
 from ..applied_load import Load
 from ..clutch import TorqueLaw
@@ -25,6 +21,7 @@ from ..controller import Controller
 from ..device import Device
 from ..effect import Effect
 from ..part import Part
+from .beside import load_beside
 
 
 class Family(NamedTuple):
@@ -50,12 +47,6 @@ TABLES = {
     "load": "[[loads]]",
     "effect": "[[effects]]",
 }
-
-#: The user's modules that were found beside a scenario file, by name: the last one of each.
-LOCAL_MODULES: dict[str, Path] = {}
-#: Text of the module of a class or function that stood in such a one: beside another scenario there
-#: may be another module of that name.
-_TEXTS: WeakKeyDictionary[Any, str] = WeakKeyDictionary()
 
 
 class UnknownKindError(LookupError):
@@ -161,75 +152,17 @@ def _import(name: str, folder: Path) -> ModuleType:
         raise UnknownKindError(f"{name!r} is not the name of a module", "module:Name")
     file = (folder / f"{name}.py").resolve()
     try:
-        if file.is_file():
-            return _import_file(name, file)
-        return importlib.import_module(name)
-    except UnknownKindError:
-        raise
+        module = load_beside(name, file) if file.is_file() else importlib.import_module(name)
     except ModuleNotFoundError as error:
-        where = f"a module that can be imported, or {name}.py beside the scenario file"
-        raise UnknownKindError(f"module {error.name or name} not found", where) from None
+        missing = error.name or name
+        where = f"a module that can be imported, or {missing}.py beside the scenario file"
+        what = f"module {missing} not found"
+        if not f"{name}.".startswith(f"{missing}."):
+            what = f"{name} imports {missing}, which is not found"
+        raise UnknownKindError(what, where) from None
     except (Exception, SystemExit) as error:  # whatever the user's module does
         what = f"module {name} cannot be imported ({type(error).__name__}: {error})"
         raise UnknownKindError(what, "a module without errors") from None
-
-
-class _Beside(SourceFileLoader):
-    """A loader that leaves nothing beside what it loads: the folder may be that of a stored run."""
-
-    def set_data(self, path: str, data: object, *, _mode: int = 0o666) -> None:
-        """Write no bytecode."""
-
-
-def _import_file(name: str, file: Path) -> ModuleType:
-    loaded = sys.modules.get(name)
-    if loaded is not None and LOCAL_MODULES.get(name) == file:
-        return loaded
-    if loaded is not None and _is_of(loaded, file):  # by the script that runs the scenario beside
-        return _taken(name, loaded, file, file.read_text(encoding="utf-8"))
-    if name in sys.stdlib_module_names or (loaded is not None and name not in LOCAL_MODULES):
+    if module is None:
         raise UnknownKindError(f"{file.name} has the name of another module", "a name of its own")
-    loader = _Beside(name, str(file))
-    spec = importlib.util.spec_from_file_location(name, file, loader=loader)
-    assert spec is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    try:
-        loader.exec_module(module)
-    except BaseException:
-        del sys.modules[name]
-        raise
-    return _taken(name, module, file, loader.get_source(name) or "")
-
-
-def _is_of(module: ModuleType, file: Path) -> bool:
-    """Whether a module was imported from a file."""
-    found = getattr(module, "__file__", None)
-    return found is not None and Path(found).resolve() == file
-
-
-def _taken(name: str, module: ModuleType, file: Path, text: str) -> ModuleType:
-    """The module, kept as one that stands beside a scenario, with its text."""
-    LOCAL_MODULES[name] = file
-    _TEXTS.update((each, text) for each in vars(module).values() if _made_in(name, each))
     return module
-
-
-def _made_in(module: str, made: Any) -> bool:
-    """Whether it is a class or a function that a module has itself made."""
-    return isinstance(made, type | FunctionType) and made.__module__ == module
-
-
-def text_beside(made: Any, module: str) -> str | None:
-    """Text of a module that stood beside a scenario file; None if it did not.
-
-    Parameters
-    ----------
-    made : type or function
-        What it made; where that is of elsewhere, it is the last module of that name.
-    module : str
-    """
-    if made in _TEXTS:
-        return _TEXTS[made]
-    file = LOCAL_MODULES.get(module)
-    return file.read_text(encoding="utf-8") if file is not None else None

@@ -19,8 +19,8 @@ from ..part import Part
 from ..stop import Singular
 from ..units import format_quantity, parse_quantity
 from .additions import KEY, NUMBERS, read_additions, read_numbers
+from .beside import texts_beside
 from .fields import Context, build, coordinate_kind, read_kind, read_part
-from .kinds import text_beside
 from .reader import TableReader
 
 RATE_LIMIT = "100 kHz"
@@ -59,7 +59,7 @@ def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[s
     notes = {
         "device": {"kind": kind, **given},
         "device numbers": device.parameters(),
-        "device module": text_beside(found, kind.partition(":")[0]),
+        "device modules": texts_beside(found, kind.partition(":")[0]),
     }
     return read_additions(table, read_numbers(table, device)), notes
 
