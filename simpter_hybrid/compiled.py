@@ -6,7 +6,7 @@ Nothing is written twice: the kernel compiled is the source that the reference e
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -51,7 +51,9 @@ def simulate(scenario: Scenario, progress: Callable[[float], None] | None = None
     return trajectory(scenario, found)
 
 
-def outcome(scenario: Scenario, status: int, t: float, why: int) -> tuple[str, str]:
+def outcome(
+    scenario: Scenario, status: int, t: float, why: int, y: Sequence[float] | None = None
+) -> tuple[str, str]:
     """Status and message of a run from the kernel's codes.
 
     Parameters
@@ -63,6 +65,8 @@ def outcome(scenario: Scenario, status: int, t: float, why: int) -> tuple[str, s
         Instant at which it ended [s].
     why : int
         Stop condition or clutch that ended it, from 0; of an input as `kernel.rules.not_held`.
+    y : sequence of float (ny,), optional
+        State there.
     """
     if status == 0:
         return "finished", "reached t_end"
@@ -70,6 +74,8 @@ def outcome(scenario: Scenario, status: int, t: float, why: int) -> tuple[str, s
         return "interrupted", f"interrupted at t = {t!r} s"
     if status == records.NOT_HELD:
         return "failed", sample_failure(scenario, t, why)
+    if status == records.TOO_SHORT:
+        return "failed", f"at t = {t!r} s {failures.stands_still(scenario, t, y)}"
     if status < records.STOPPED or status >= records.MANY_EVENTS:
         return "failed", f"at t = {t!r} s {_why(scenario, status, why)}"
     word = "stopped" if status == records.STOPPED else "failed"
@@ -101,7 +107,6 @@ def _why(scenario: Scenario, status: int, which: int) -> str:
     words = failures.NO_MODE | {
         records.NO_NUMBER: failures.NOT_FINITE,
         records.ZENO: failures.at_once(events_at_once(scenario.device.m)),
-        records.TOO_SHORT: failures.STALLED,
         records.MANY_EVENTS: failures.too_many(scenario.event_limit),
         records.MANY_STEPS: failures.MANY_STEPS,
     }
@@ -163,7 +168,7 @@ def trajectory(
         width = int(np.prod(shape))
         return array[first * width : (first + count) * width].reshape(count, *shape).copy()
 
-    word, message = outcome(scenario, status, float(found.t[case]), why)
+    word, message = outcome(scenario, status, float(found.t[case]), why, found.end[case])
     return Trajectory(
         step_t=table(r["step_t"], s0, steps),
         step_h=table(r["step_h"], s0, steps),

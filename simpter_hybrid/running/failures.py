@@ -43,6 +43,9 @@ NOT_FINITE = "the derivative is not finite; the engine 'reference' names the par
 
 #: A coordinate or speed beyond this is on its way to what no number holds (SI).
 BOUNDLESS = 1e100
+#: A mass matrix whose smallest eigenvalue is less than this of what it was at the start is as good
+#: as singular: a solver gives up some digits before 0, at 1e-9 where a mass falls linearly.
+VANISHED = 1e-6
 
 
 def boundless(scenario: Scenario, y: Sequence[float]) -> list[int]:
@@ -61,6 +64,55 @@ def boundless(scenario: Scenario, y: Sequence[float]) -> list[int]:
     return [k for k in range(2 * scenario.device.n) if not abs(y[k]) < BOUNDLESS]
 
 
+def vanished_mass(scenario: Scenario, t: float, y: Sequence[float]) -> str | None:
+    """Where the mass matrix has all but vanished, in words; None if it has not.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    t : float
+        Instant [s].
+    y : sequence of float (ny,)
+        State there.
+    """
+    md, n = scenario.python_model(), scenario.device.n
+    start, w = scenario.initial(lambda k: [0.0] * k, lambda k: [0] * k)
+
+    def mass(t: float, y: list[float]) -> np.ndarray:
+        md.terms(t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
+        return np.array(w.M[: n * n]).reshape(n, n)
+
+    first, last = mass(0.0, start), mass(t, [float(v) for v in y])
+    # In the coordinates' own units, whatever those are.
+    size = np.sqrt(np.abs(np.diag(first)))
+    scale = np.outer(size, size)
+    if not np.isfinite(last / scale).all():
+        return None
+    left = float(np.linalg.eigvalsh(last / scale)[0] / np.linalg.eigvalsh(first / scale)[0])
+    if not left < VANISHED:
+        return None
+    at = ", ".join(
+        f"{name} = {float(value):.6g}"
+        for name, value in zip(scenario.device.coordinates, y, strict=False)
+    )
+    return (
+        f"the mass matrix vanishes at {at} (SI): its smallest eigenvalue is {left:.1g} of what it "
+        "was at the start; check the device's mass_matrix, or end the run before by a stop"
+    )
+
+
+def stands_still(scenario: Scenario, t: float, y: Sequence[float] | None) -> str:
+    """Why a run stands still; the state `y` at `t` [s], where it is known, may tell.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    t : float
+    y : sequence of float (ny,), optional
+    """
+    return (vanished_mass(scenario, t, y) if y is not None else None) or STALLED
+
+
 def gave_up(scenario: Scenario, t: float, y: Sequence[float], reason: str) -> str:
     """Why SciPy's solver takes no further step from `y` at `t` [s]; `reason` is what it says.
 
@@ -73,6 +125,8 @@ def gave_up(scenario: Scenario, t: float, y: Sequence[float], reason: str) -> st
     """
     beyond = boundless(scenario, y)
     if not beyond:
+        if why := vanished_mass(scenario, t, y):
+            return f"at t = {float(t)!r} s {why}"
         return f"the solver gave up at t = {float(t)!r} s: {reason}"
     return (
         f"at t = {float(t)!r} s the motion has grown without bound: "

@@ -17,7 +17,7 @@ from ..kernel.run import STALLED_AFTER, STALLED_BELOW
 from ..scenario import Scenario
 from .blame import origin, sample_failure
 from .checked import CHECKED, Checked
-from .failures import NO_MODE, STALLED, gave_up
+from .failures import NO_MODE, gave_up, stands_still
 from .locking import contradiction
 from .recorder import Recorder, SimulationFailure
 
@@ -57,7 +57,8 @@ class Run:
             self.progress(float(t))
         if self.nfev % (self.method.n_stages * STALLED_AFTER) == 0:
             if t - self.mark < STALLED_BELOW * self.scenario.t_end:
-                raise SimulationFailure(f"at t = {float(t)!r} s {STALLED}")
+                said = stands_still(self.scenario, float(t), y)
+                raise SimulationFailure(f"at t = {float(t)!r} s {said}")
             self.mark = float(t)
         dy = [0.0] * self.md.ny
         flow(self.md, float(t), y.tolist(), self.w, dy)
