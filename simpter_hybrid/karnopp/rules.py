@@ -23,7 +23,9 @@ class Rules:
         every holding clutch taken out (least change), so that a link coupled to another does not
         drift and a free link that is merely slow still moves. ``reset``: the same, and at the end
         of a step the speeds themselves take that value, so that what is left of a slip when it is
-        caught does not hide another clutch's rest. ``none``: the speeds as they are.
+        caught does not hide another clutch's rest; where that takes another clutch just out of the
+        band, the two may be caught and let go in turn, thousands of times. ``none``: the speeds as
+        they are.
     signs : str
         Special cases of Case 7. ``printed``: clutches at plus their breakaway torque only, as in
         (24)-(29). ``both``: plus and minus, with which "some feasible combination holds" is decided
