@@ -169,6 +169,9 @@ def trajectory(
         return array[first * width : (first + count) * width].reshape(count, *shape).copy()
 
     word, message = outcome(scenario, status, float(found.t[case]), why, found.end[case])
+    logged = events_of(scenario, r["event_t"], r["event_i"], e0, events)
+    if status in (records.MANY_EVENTS, records.ZENO):
+        message += f"; {failures.last_events(logged)}"
     return Trajectory(
         step_t=table(r["step_t"], s0, steps),
         step_h=table(r["step_h"], s0, steps),
@@ -181,7 +184,7 @@ def trajectory(
         held=table(r["helds"], k0, segments, z["nh"]),
         dmode=table(r["dmodes"], k0, segments, z["nd"]),
         end=found.end[case].copy(),
-        events=events_of(scenario, r["event_t"], r["event_i"], e0, events),
+        events=logged,
         status=word,
         message=message,
         statistics={"segments": segments, "steps": steps, "events": events},

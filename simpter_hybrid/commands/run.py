@@ -206,6 +206,8 @@ def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bo
     """Print how the run went; returns whether a check failed."""
     import json
 
+    from ..measuring.command_range import beyond_range
+
     text = (directory / "summary.json").read_text(encoding="utf-8")
     found = json.loads(text)
     energy = found["energy"]
@@ -232,5 +234,7 @@ def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bo
         balance = energy and energy["relative"]
         if balance is not None and trajectory.status != "failed":
             print(f"energy balance closes to {balance:.1e} of the turnover")
+        for line in beyond_range(trajectory):
+            print(line)
         print(f"files in {directory}")
     return bool(bad)

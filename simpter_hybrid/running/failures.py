@@ -12,6 +12,7 @@ from ..kernel.rules import AT_ONCE
 
 if TYPE_CHECKING:
     from ..scenario import Scenario
+    from ..trajectory import Event
 
 #: Why no mode is found, by the kernel's status.
 NO_MODE = {
@@ -157,6 +158,18 @@ def too_many(limit: int) -> str:
         That was exceeded.
     """
     return f"more than {limit} events (event_limit of [run], which may be raised)"
+
+
+def last_events(events: Sequence[Event]) -> str:
+    """The last three of the events before a run was given up for their number.
+
+    Parameters
+    ----------
+    events : sequence of Event
+    """
+    return "last: " + "; ".join(
+        f"t = {e.t!r} s {e.kind} clutch {e.clutches}: {e.before} -> {e.after}" for e in events[-3:]
+    )
 
 
 def at_once(count: int) -> str:

@@ -10,7 +10,7 @@ from ..kernel.records import events_at_once
 from ..kernel.rules import zeno
 from ..scenario import Scenario
 from ..trajectory import Event, Trajectory
-from .failures import at_once, too_many
+from .failures import at_once, last_events, too_many
 
 
 class SimulationFailure(Exception):
@@ -143,14 +143,7 @@ class Recorder:
             why = at_once(events_at_once(self.m))
         else:
             return
-        raise SimulationFailure(f"at t = {t!r} s {why}; last: {self.last_events()}")
-
-    def last_events(self) -> str:
-        """The last three events, for messages."""
-        return "; ".join(
-            f"t = {e.t!r} s {e.kind} clutch {e.clutches}: {e.before} -> {e.after}"
-            for e in self.events[-3:]
-        )
+        raise SimulationFailure(f"at t = {t!r} s {why}; {last_events(self.events)}")
 
     def table(self, name: str, width: int, kind: type) -> np.ndarray:
         """The rows kept under ``name``, one a segment.
