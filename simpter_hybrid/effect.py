@@ -81,6 +81,9 @@ class Effect(Part):
     #: Whether it knows a motor only with its ends closed: a driver that opens them between pulses
     #: lets no current through it to be cut or to warm anything.
     ends_closed: ClassVar[bool] = False
+    #: Its numbers that are those of its coordinate's motor: ``constant`` (force for each unit of
+    #: the drive), ``back`` (what speed takes of it).  Where a fit moves the motor's they follow.
+    of_motor: ClassVar[tuple[str, ...]] = ()
 
     clutch: int = -1
     coordinate: int = -1

@@ -31,6 +31,7 @@ class DriveDeadband(Effect):
     sizes: ClassVar[tuple[str, ...]] = ("width",)
     family: ClassVar[str] = "drive dead band"
     acts_on: ClassVar[str] = "actuator"
+    of_motor: ClassVar[tuple[str, ...]] = ("constant",)
     reveals: ClassVar[str] = "A slow sine of the drive that just moves the axis, both ways."
 
     @staticmethod

@@ -31,6 +31,7 @@ class DriveGain(Effect):
     sizes: ClassVar[tuple[str, ...]] = ("gain",)
     family: ClassVar[str] = "drive gain"
     acts_on: ClassVar[str] = "actuator"
+    of_motor: ClassVar[tuple[str, ...]] = ("constant",)
     reveals: ClassVar[str] = "A known weight held or lifted slowly by the motor."
 
     @staticmethod

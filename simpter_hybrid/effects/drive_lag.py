@@ -37,6 +37,7 @@ class DriveLag(Effect):
     sizes: ClassVar[tuple[str, ...]] = ("lag",)
     family: ClassVar[str] = "drive timing"
     acts_on: ClassVar[str] = "actuator"
+    of_motor: ClassVar[tuple[str, ...]] = ("constant",)
     reveals: ClassVar[str] = "Steps and fast sines of the drive, against the motion they make."
 
     @staticmethod

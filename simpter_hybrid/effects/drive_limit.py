@@ -36,6 +36,7 @@ class DriveLimit(Effect):
     sizes: ClassVar[tuple[str, ...]] = ()
     family: ClassVar[str] = "drive limit"
     acts_on: ClassVar[str] = "actuator"
+    of_motor: ClassVar[tuple[str, ...]] = ("constant", "back")
     ends_closed: ClassVar[bool] = True
     reveals: ClassVar[str] = "Steps of the drive from rest, each larger than the one before."
 

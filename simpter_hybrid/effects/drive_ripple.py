@@ -37,6 +37,7 @@ class DriveRipple(Effect):
     sizes: ClassVar[tuple[str, ...]] = ("cosine", "sine")
     family: ClassVar[str] = "drive by position"
     acts_on: ClassVar[str] = "actuator"
+    of_motor: ClassVar[tuple[str, ...]] = ("constant",)
     reveals: ClassVar[str] = "Slow turns both ways, with a known weight to lift and without."
 
     @staticmethod

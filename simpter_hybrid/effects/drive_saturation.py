@@ -33,6 +33,7 @@ class DriveSaturation(Effect):
     sizes: ClassVar[tuple[str, ...]] = ("fall",)
     family: ClassVar[str] = "drive limit"
     acts_on: ClassVar[str] = "actuator"
+    of_motor: ClassVar[tuple[str, ...]] = ("constant",)
     reveals: ClassVar[str] = "Steps of the drive from rest, each larger than the one before."
 
     @staticmethod

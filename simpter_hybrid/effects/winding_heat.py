@@ -46,6 +46,7 @@ class WindingHeat(Effect):
     sizes: ClassVar[tuple[str, ...]] = ("rise",)
     family: ClassVar[str] = "winding heat"
     acts_on: ClassVar[str] = "actuator"
+    of_motor: ClassVar[tuple[str, ...]] = ("constant", "back")
     ends_closed: ClassVar[bool] = True
     reveals: ClassVar[str] = "The same slow motion by the drive cold, and after it was held."
     uses: ClassVar[tuple] = (warmed,)

@@ -124,8 +124,10 @@ def _of_driver(declared: Scenario, force: float, told: float):
         if motor.supply > 0.0:
             yield _coasting(motor, f"load.{number + 1}.coasting")
         yield _warming(motor, turned, force)
-    dead, most = DriveDeadband(coordinate=0, constant=turned), force / abs(turned)
-    width = Parameter("drive-deadband.width", 0.0, 0.0, most, 0.1 * most)
+    dead, usual = DriveDeadband(coordinate=0, constant=turned), force / abs(turned)
+    # It may take anything that was told; steps of a fit are as friction would have them.
+    most = told if told > 0.0 else usual
+    width = Parameter("drive-deadband.width", 0.0, 0.0, most, 0.1 * min(usual, most))
     yield _done_by(dead, "drive-deadband", width, width.typical, DEAD)
     if told > 0.0:
         yield from _limits(motor, turned, told)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from ...effect import Effect
 from ...scenario import Scenario
 from .effect_candidate import EffectCandidate
+from .motor_ties import dead_at_limits, tied_numbers
 from .scenario_predictor import REACH
 
 #: How well a size that was found is known, for a diagnosis of the corrected model, and the least
@@ -73,10 +75,19 @@ def corrected_scenario(
     loads = tuple(load for e in pushing for load in e.made_load(values))
     stages = tuple(stage for e in effects for stage in e.made_stages(values))
     made = with_parameters(declared, fitted)
-    return replace(
+    whole = replace(
         made, effects=(*made.effects, *added), loads=(*made.loads, *loads),
         controllers=(*made.controllers, *stages),
     )  # fmt: skip
+    ties = tied_numbers(whole, known.__getitem__, lambda name: fitted.get(name, known[name]))
+    whole = with_parameters(whole, {n: _of_effect(whole, n) * x for n, x in ties.items()})
+    return with_parameters(whole, dead_at_limits(whole, partial(_of_effect, whole)))
+
+
+def _of_effect(scenario: Scenario, name: str) -> float:
+    """Number of an effect by its name: ``effect.1.DriveDeadband.width``."""
+    _, number, _, field = name.split(".")
+    return float(getattr(scenario.effects[int(number) - 1], field))
 
 
 def with_tolerances(corrected: Scenario, effects: Sequence[EffectCandidate]) -> Scenario:

@@ -21,6 +21,7 @@ from .declared_off import shared_numbers
 from .effect_candidate import EffectCandidate
 from .following import begun_in_motion, following, with_room
 from .free_start import begun_near
+from .motor_ties import follow_motor
 from .packed import packed
 from .rig import Rig
 from .scenario_runner import GivenRun, ScenarioRunner, in_threads
@@ -205,6 +206,7 @@ class ScenarioPredictor:
                     p[runner.names[f"{prefix}.{own}"]] = values[name]
                 made[k] = effect
                 k += 1
+        follow_motor(p, runner.default, runner.names, scenario)
         switching = replace(scenario, effects=tuple(made)).switching()
         return p, np.array([*switching["delay"], *switching["threshold"]], dtype=float)
 
