@@ -142,6 +142,12 @@ def pieces_of(
     )  # fmt: skip
 
 
+def goes_by(coordinate: str) -> str:
+    """What a curve over a coordinate goes by: ``force:direction`` is ``force:slip_velocity``."""
+    balance, name = balance_of(coordinate), coordinate_of(coordinate)
+    return f"{balance}:{GOES_BY[name]}" if name in GOES_BY else coordinate
+
+
 def _values(traces: Sequence[Trace], name: str) -> np.ndarray:
     """Values of what a curve over a coordinate goes by (samples,); none where no trace has it."""
     asked, along = GOES_BY.get(name, name), traces[0].coordinates

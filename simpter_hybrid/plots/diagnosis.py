@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from ..identification.empirical_terms import goes_by
 from ..identification.held_out_gains import HeldOutGain
 from ..identification.held_out_predictions import HeldOutPredictions
 from ..identification.recordings.recording import Recording
@@ -271,7 +272,7 @@ def curve(found: Diagnosis) -> Figure | None:
     ax.plot(place, value, color=BLUE)
     ax.plot(knots, term.value, "o", color=BLUE, ms=4, label="fitted knots")
     ax.axhline(0.0, color=GREY, lw=0.8)
-    along, unit = term.coordinate.partition(":")[2], force_unit(found)
+    along, unit = goes_by(term.coordinate).partition(":")[2], force_unit(found)
     ax.set_xlabel(coordinate_label(along, unit))
     ax.set_ylabel(_of_curve(term.trial.candidate.name, unit))
     ax.legend()

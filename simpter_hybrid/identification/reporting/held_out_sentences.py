@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..carried_over import WORSE, carried_over
 from ..empirical import Empirical
+from ..empirical_terms import goes_by
 from ..result import Diagnosis
 from ..tracing.limits import IMPERFECT
 from .dependence_text import depends_on, is_straight
@@ -71,7 +72,7 @@ def curve_sentence(found: Diagnosis) -> str:
     term = found.empirical
     if term is None:
         return ""
-    over = depends_on([term.coordinate], is_straight(found))
+    over = depends_on([goes_by(term.coordinate)], is_straight(found))
     before, after = held_out(found), held_out(found, "empirical")
     law = "it is no law and says nothing beyond the range that was recorded"
     if curve_does_next_to_nothing(found) and after < before:
