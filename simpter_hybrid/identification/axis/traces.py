@@ -138,6 +138,7 @@ class AxisTracer:
             along = {n: x for n, x in along.items() if not n.startswith("excitation")}
         if self.drifts:
             along.pop("acceleration")
+            along["direction"] = gone(along["direction"])
         return along
 
     def _before(self, replay: Replay) -> tuple[float, float, float] | None:
@@ -187,6 +188,19 @@ class AxisTracer:
                 made[i] = as_if_recorded(replays[i], course, np.nan_to_num(moved["speed"][n]))
         again = predictor.predict(values, list(made.values())) if made else {}
         return {i: self._missing(made[i], again, n) for n, i in enumerate(made)}
+
+
+def gone(direction: np.ndarray) -> np.ndarray:
+    """Directions (samples,) that go on through rest, before the first motion that of this.
+
+    Where nothing drives an axis nothing shows at rest what is missing: a coast-down that ended
+    there was told to lack something that depends on direction, of which it had only one.
+    """
+    moves = np.flatnonzero(direction)
+    if not moves.size:
+        return direction
+    last = np.searchsorted(moves, np.arange(direction.size), side="right") - 1
+    return direction[moves[np.maximum(last, 0)]]
 
 
 def _set_at_every_row(replay: Replay) -> Replay:
