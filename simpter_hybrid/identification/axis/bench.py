@@ -210,7 +210,7 @@ def _planned(
         if not rig.alone and not rig.servo:
             reach = axis_reach(fitted, inertia_of(model), motor_of(model)[1], every)
             return planned_axis(recording, model, reach, signals)
-        reach = motion_reach(fitted, inertia_of(model), every)
+        reach = motion_reach(fitted, inertia_of(model), every, rig.alone)
         asked = (releases if rig.alone else set_points)(recording, reach)
 
         def made(blank: Recording) -> list[Replay]:

@@ -69,9 +69,9 @@ def axis_reach(
     )  # fmt: skip
 
 
-def lasts(replays: Sequence[Replay]) -> float:
-    """How long a planned run is [s]: as the longest that was made, whole."""
-    return min(LONGEST, max(map(since_its_beginning, replays)))
+def lasts(replays: Sequence[Replay], most: float = LONGEST) -> float:
+    """How long a planned run is [s]: as the longest that was made, whole, or `most`."""
+    return min(most, max(map(since_its_beginning, replays)))
 
 
 def shaken(replays: Sequence[Replay]) -> float:

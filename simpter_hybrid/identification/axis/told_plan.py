@@ -6,6 +6,7 @@ noise is added.  From there on a planned run is treated like a recorded one.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
@@ -17,7 +18,17 @@ from ..recordings.row_step import row_step
 from ..recordings.smoothing import lagged
 from ..rigs.scenario_predictor import ScenarioPredictor
 from .experiments import AxisReach, axis_experiments, ends_of, most_of, strokes
-from .plan import FASTEST, FOLLOWS, Planned, lasts, planned_recording, sensed, shaken, usual
+from .plan import (
+    FASTEST,
+    FOLLOWS,
+    LONGEST,
+    Planned,
+    lasts,
+    planned_recording,
+    sensed,
+    shaken,
+    usual,
+)
 from .signals import AxisSignals
 
 #: Speeds at which an axis is let go, as parts of the largest.
@@ -29,13 +40,18 @@ SLOW = 0.3
 
 
 def motion_reach(
-    replays: Sequence[Replay], inertia: float, every: Sequence[Replay] = ()
+    replays: Sequence[Replay], inertia: float, every: Sequence[Replay] = (), alone: bool = False
 ) -> AxisReach:
-    """How far recorded runs went, by their motion alone; `every`: as of `axis_reach`."""
+    """How far recorded runs went, by their motion alone; `every`: as of `axis_reach`.
+
+    An axis let `alone` is planned to go on as long as in any recorded run: a car coasts for
+    minutes, of which the first seconds show nothing.
+    """
     x = np.concatenate([r.notes["position"] for r in replays])
     v = np.concatenate([r.notes["speed"] for r in replays])
     fastest = max(most_of(r.notes["speed"], 0.95) for r in replays)
-    step, long = row_step(replays[0].time), lasts(every or replays)
+    longest = math.inf if alone else LONGEST
+    step, long = row_step(replays[0].time), lasts(every or replays, longest)
     return AxisReach(*ends_of(x, v), fastest, inertia * shaken(replays), inertia, long, step)
 
 
@@ -74,15 +90,19 @@ def motions(recording: Recording, reach: AxisReach) -> Planned:
 
 
 def releases(recording: Recording, reach: AxisReach) -> Planned:
-    """The axis let go: at several speeds from the middle, and at rest from both ends."""
+    """The axis let go: at several speeds from the middle, and at rest from both ends.
+
+    Where only a speed was logged nobody knows its ends, and nothing pulls it away from them.
+    """
     s, middle = AxisSignals(), 0.5 * (reach.high + reach.low)
     starts = {
         f"let go at {told}{way}": (middle, sign * part * reach.speed)
         for told, part in LET_GO.items()
         for sign, way in ((1.0, ""), (-1.0, ", backwards"))
     }
-    starts |= {"let go at rest at the lower end": (reach.low, 0.0)}
-    starts |= {"let go at rest at the upper end": (reach.high, 0.0)}
+    if not recording.channels[s.position].summed:
+        starts |= {"let go at rest at the lower end": (reach.low, 0.0)}
+        starts |= {"let go at rest at the upper end": (reach.high, 0.0)}
     return {
         name: _known(recording, {s.position: q + v * reach.time}, reach)
         for name, (q, v) in starts.items()
