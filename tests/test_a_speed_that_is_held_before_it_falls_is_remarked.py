@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.recordings.driven_on import held_rows
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
+from simpter_hybrid.identification.recordings.driven_on import driven_on, held_rows
+from simpter_hybrid.identification.recordings.recorded_run import RecordedRun
 
 TIME = 0.05 * np.arange(60)
 NOISE = 0.05
@@ -55,3 +57,12 @@ def test_what_coasts_to_rest_and_stays_there_is_not(noise):
     steps = np.maximum(0.0, np.round(20.0 * (2.0 - TIME)) / 20.0)
     assert held_rows(TIME, steps, noise) == 0
     assert held_rows(TIME, 0.0 * TIME, noise) == 0
+
+
+@pytest.mark.parametrize(("piece", "count"), [(0, 1), (1, 1), (2, 0)])
+def test_a_later_piece_of_a_run_was_let_go_already(piece, count):
+    held = noisy(np.concatenate([np.full(10, 20.0), FREE["drag"]]))
+    time = 0.05 * np.arange(held.size)
+    channel = ChannelMap("speed", "v", "m/s", "measured", noise=NOISE)
+    run = RecordedRun("one", "", "", (0, held.size), time, {"speed": held}, piece=piece)
+    assert len(driven_on([run], channel, "speed")) == count

@@ -42,7 +42,8 @@ def driven_on(runs: Sequence[RecordedRun], channel: ChannelMap, signal: str) -> 
     )
     found = []
     for run in runs:
-        if signal not in run.channels:
+        # What comes before a later piece of a run was let go already.
+        if signal not in run.channels or run.piece > 1:
             continue
         speed = run.channels[signal]
         rows = held_rows(run.time, speed, run_noise(speed, channel, run.time))
