@@ -41,9 +41,6 @@ SIDE, STEEP, LEAST_STEPPED = 2, 0.2, 5
 #: Own values of another parameter that leave up to so many times what the best leave, and explain
 #: nearly as much, do as well.
 AS_WELL = 1.05
-#: Runs differ in speed if the fastest is so many times as fast as the slowest; values that go with
-#: that as seldom by chance are worth a word.
-FASTER, PERHAPS = 1.1, 0.1
 #: A correlation of this part of the strongest one may be as good: a few runs hardly tell.
 NEARLY = 0.8
 
@@ -223,29 +220,6 @@ def may_go_with(levels: RunLevels) -> dict[str, float]:
         if len(set(places)) == len(places)
     }
     return {name: tau for name, tau in ranked.items() if abs(tau) > 1.0 - 1e-9}
-
-
-class WithSpeed(NamedTuple):
-    """Rank correlation of values with how fast runs move, and how often chance does as much."""
-
-    tau: float
-    chance: float
-
-
-def goes_with_speed(levels: RunLevels) -> WithSpeed | None:
-    """Whether the values go with how fast each run moves; None if they do not, or hardly.
-
-    No proof of a few runs, but what anything that depends on speed would do.
-    """
-    runs = [run for run, _ in levels.levels]
-    if len(runs) < FEWEST or not all(run in levels.speeds for run in runs):
-        return None
-    speeds, times = [levels.speeds[run] for run in runs], [level for _, level in levels.levels]
-    if max(speeds) <= FASTER * min(speeds):
-        return None
-    ranked = kendalltau(speeds, times)
-    tau, chance = float(ranked.statistic), float(ranked.pvalue)
-    return WithSpeed(tau, chance) if abs(tau) > NEARLY - 1e-9 and chance < PERHAPS else None
 
 
 def sure_from(levels: RunLevels) -> int:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..levels_with_speed import goes_with_speed
 from ..run_levels import (
     FEWEST,
     ORDER,
     RunLevels,
     differs,
     goes_with,
-    goes_with_speed,
     may_go_with,
     odd_run,
     same_in_all,
@@ -87,7 +87,9 @@ def _course(levels: RunLevels) -> str:
     if moved := goes_with_speed(levels):
         way = "rises" if moved.tau > 0.0 else "falls"
         seldom = f"chance does so in {max(1, round(100 * moved.chance))} of 100"
-        said.append(f"{way} with how fast a run moves ({seldom}), as what depends on speed does")
+        where = " among the pieces of each run" if moved.pieces else ""
+        what = f"how fast a {'piece' if moved.pieces else 'run'} moves{where} ({seldom})"
+        said.append(f"{way} with {what}, as what depends on speed does")
     return (f"; it {' and '.join(said)}" if said else "") + _unasked(levels)
 
 
