@@ -131,6 +131,10 @@ class Problems:
         if self._found:
             raise InvalidInput(problem for _, problem in sorted(self._found, key=lambda f: f[0]))
 
+    def place(self, path: KeyPath) -> str:
+        """File and line of a key or, where it is missing, of the nearest table around it."""
+        return self._locate(path)[1]
+
     def _locate(self, path: KeyPath) -> tuple[float, str]:
         """Where the key stands or, where it is missing, the nearest table around it."""
         while path and path not in self.places:

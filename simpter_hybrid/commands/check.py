@@ -7,8 +7,12 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from . import DONE
+
+if TYPE_CHECKING:
+    from ..scenario import Scenario
 
 HELP = "check scenarios and maps without running them; of a recording, print a map to fill in"
 
@@ -107,18 +111,37 @@ def _refuse(changes: Sequence[str], name: str, what: str) -> None:
 
 
 def _scenario(name: str, changes: Sequence[str]) -> str:
-    from ..files.scenario_file import load
+    from ..files.scenario_file import with_places
     from ..identification.fits import check_tolerances
 
-    scenario = load(name, changes)
+    scenario, places = with_places(name, changes)
     if scenario.notes.get("tolerances"):
-        check_tolerances(scenario)
+        check_tolerances(scenario, places)
     device = scenario.device
     rate = f"sampled every {scenario.period:g} s" if scenario.period else "no controller"
     return (
         f"{type(device).__name__}, {_count(device.n, 'coordinate')}, "
         f"{_count(device.m, 'clutch', 'clutches')}, {_count(len(scenario.loads), 'load')}, "
         f"{_count(len(scenario.effects), 'effect')}, {rate}, at most {scenario.t_end:g} s"
+        f"{_never_on(scenario)}"
+    )
+
+
+def _never_on(scenario: Scenario) -> str:
+    """Words on clutches of a model to be diagnosed that only a recorded command would switch on.
+
+    One for friction that is always there was declared without a threshold below 0 V.
+    """
+    if not scenario.notes.get("tolerances") or scenario.controllers:
+        return ""
+    told = scenario.command or (0.0,) * scenario.device.m
+    clutches = enumerate(zip(scenario.clutches, told, strict=True), 1)
+    off = [f"clutch.{k}.threshold" for k, (c, level) in clutches if level <= c.threshold]
+    if not off:
+        return ""
+    return (
+        f"; nothing commands friction beyond {' and '.join(off)}: it is off in a recording without "
+        'a command, where "-1 V" is for friction that is always there'
     )
 
 

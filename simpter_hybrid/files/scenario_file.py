@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
-from ..problems import InvalidInput, Problem, show
+from ..problems import InvalidInput, Problem, Problems, show
 from ..reading.reader import TableReader
 from ..scenario import METHODS, Scenario
 from .tomlfile import STDIN, TomlFile, parse_toml, read_toml
@@ -66,9 +66,16 @@ def load(name: str | os.PathLike, overrides: Sequence[str] = ()) -> Scenario:
     InvalidInput
         With everything that is wrong: file:line, what, the value, what would be right.
     """
-    file = find_scenario(name)
-    stem = "stdin" if str(file) == STDIN else file.stem
-    return scenario_of(read_toml(file, overrides), stem, file.parent)
+    return with_places(name, overrides)[0]
+
+
+def with_places(
+    name: str | os.PathLike, overrides: Sequence[str] = ()
+) -> tuple[Scenario, Problems]:
+    """As ``load``, and what knows where in the file everything stands."""
+    path = find_scenario(name)
+    stem, file = "stdin" if str(path) == STDIN else path.stem, read_toml(path, overrides)
+    return scenario_of(file, stem, path.parent), file.problems
 
 
 def parse(text: str, source: str = "scenario.toml", folder: Path | None = None) -> Scenario:

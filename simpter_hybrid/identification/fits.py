@@ -135,8 +135,10 @@ def check_signals(
         raise InvalidInput(problems)
 
 
-def check_tolerances(declared: Scenario) -> None:
+def check_tolerances(declared: Scenario, places: Problems | None = None) -> None:
     """Check that the model says how well its parameters are known (``[[tolerances]]``).
+
+    `places` knows where in its file they stand; without it the model's name is told.
 
     Raises
     ------
@@ -145,27 +147,29 @@ def check_tolerances(declared: Scenario) -> None:
     """
     groups = declared.notes.get("tolerances", ())
     known = [n for n in declared.parameter_names() if not n.startswith("controller.")]
+    every = [(k, name) for k, g in enumerate(groups) for name in g["parameters"]]
+
+    def where(k: int, key: str) -> str:
+        return places.place(("tolerances", k, key)) if places is not None else declared.name
+
     problems = [
         Problem(
-            declared.name,
-            f"tolerances: {g['name']}",
-            "no such parameter",
-            name,
+            where(k, "parameters"), f"tolerances: {groups[k]['name']}", "no such parameter", name,
             one_of(known, name),
         )
-        for g in groups
-        for name in g["parameters"]
+        for k, name in every
         if name not in known
-    ]
-    problems += [
-        Problem(declared.name, f"tolerances: {name}", f"{what} stands more than once", str(n), "1")
-        for what, every in (
-            ("this name", [g["name"] for g in groups]),
-            ("this parameter", [name for g in groups for name in g["parameters"]]),
-        )
-        for name, n in Counter(every).items()
-        if n > 1
-    ]
+    ]  # fmt: skip
+    for what, key, told in (
+        ("this name", "name", [(k, g["name"]) for k, g in enumerate(groups)]),
+        ("this parameter", "parameters", every),
+    ):
+        last = {name: k for k, name in told}
+        for name, n in Counter(name for _, name in told).items():
+            if n > 1:
+                said = f"{what} stands more than once"
+                place = where(last[name], key)
+                problems.append(Problem(place, f"tolerances: {name}", said, str(n), "1"))
     if not groups:
         what = "which parameters are known how well is not said"
         problems.append(
