@@ -33,3 +33,9 @@ def test_it_is_fitted_once_for_all_units_that_the_same_runs_doubt(monkeypatch):
     assert sorted(asked) == [(["one"], 0.4), (["other"], 0.4)]
     assert near.numbers == (MASS,)  # no more than twice what its unit leaves
     assert far.numbers == other.numbers == (MASS, DRIVE)
+
+
+def test_it_is_called_as_its_tolerance_with_its_place_in_the_file():
+    said = DRIVE._replace(tolerance="motor constant").said
+    assert said == "motor constant (load.1.constant) 0.1 times as declared"
+    assert DRIVE._replace(tolerance="load.1.constant").said == DRIVE.said

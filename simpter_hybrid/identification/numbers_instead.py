@@ -44,17 +44,22 @@ class NumberInstead(NamedTuple):
         Its value over what is declared; what has a tolerance is refitted.
     left : float
         Part of the refitted model's error that is left with it.
+    tolerance : str
+        Name of the tolerance that it has to itself, by which all else speaks of it; "" of none.
     """
 
     name: str
     times: float
     left: float
+    tolerance: str = ""
 
     @property
     def said(self) -> str:
         """The number and how far it is off, in words."""
         times = float(f"{self.times:.3g}")
-        return f"{self.name} {times:,g} times as declared"
+        own = self.tolerance not in ("", self.name)
+        called = f"{self.tolerance} ({self.name})" if own else self.name
+        return f"{called} {times:,g} times as declared"
 
 
 def driving_numbers(declared: Scenario) -> dict[str, float]:
@@ -149,7 +154,9 @@ def _refitted(
     nominal = {p.name: p.value for p in predictor.parameters}
     values = min(map(begun, (fitted, nominal)), key=lambda fit: fit.cost).values
     left = rms(weighted_residuals(freed(1.0).predictor, values, replays)) / error
-    return NumberInstead(name, 1.0 + values[number], left)
+    alone = (t for t in predictor.declared.notes.get("tolerances", ()) if t["parameters"] == [name])
+    own = next((t["name"] for t in alone), "")
+    return NumberInstead(name, 1.0 + values[number], left, own)
 
 
 def _best_factor(fitter: Fitter, begin: Mapping[str, float]) -> tuple[Mapping[str, float], Any]:
