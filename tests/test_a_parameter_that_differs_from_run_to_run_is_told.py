@@ -5,12 +5,12 @@ import pytest
 from toy_rig import ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.going_with import goes_with
 from simpter_hybrid.identification.own_values import run_levels
 from simpter_hybrid.identification.reporting.level_sentences import levels_text
 from simpter_hybrid.identification.run_levels import (
     RunLevels,
     differs,
-    goes_with,
     likeliest,
     odd_run,
 )

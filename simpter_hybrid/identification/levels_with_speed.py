@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 from scipy.stats import kendalltau
 
-from .run_levels import FEWEST, NEARLY, RunLevels
+from .going_with import NEARLY, PERHAPS
+from .run_levels import FEWEST, RunLevels
 
-#: Runs differ in speed if the fastest is so many times as fast as the slowest; values that go with
-#: that as seldom by chance are worth a word.
-FASTER, PERHAPS = 1.1, 0.1
+#: Runs differ in speed if the fastest is so many times as fast as the slowest.
+FASTER = 1.1
 #: Between the name of a run and the number of a piece of it.
 PIECE = ", piece "
 

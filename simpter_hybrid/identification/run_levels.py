@@ -10,8 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations, count
-from math import factorial
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -24,10 +23,9 @@ from .tracing.verdict import LEAST_SHARE_IF_MUCH
 
 #: A run's own value is within this factor of the declared one, or within its tolerance.
 OTHER = 3.0
-#: Values go with an order of the runs if the probability of that by chance is below this (Kendall's
-#: rank correlation).
+#: Values go together if the probability of that by chance is below this (Kendall's rank
+#: correlation).
 BY_CHANCE = 0.01
-ORDER = "order of the runs"
 #: Values this near one another (over their median) count as the same.
 ALIKE = 0.01
 #: One run is odd if it is so many times as far from the others as these are from one another: the
@@ -41,8 +39,6 @@ SIDE, STEEP, LEAST_STEPPED = 2, 0.2, 5
 #: Own values of another parameter that leave up to so many times what the best leave, and explain
 #: nearly as much, do as well.
 AS_WELL = 1.05
-#: A correlation of this part of the strongest one may be as good: a few runs hardly tell.
-NEARLY = 0.8
 
 
 @dataclass(frozen=True)
@@ -178,68 +174,6 @@ def together(found: Sequence[RunLevels]) -> bool:
         for one, other in combinations(found, 2)
     ]
     return all(rank.statistic > 0.0 and rank.pvalue < BY_CHANCE for rank in ranked)
-
-
-def goes_with(levels: RunLevels) -> dict[str, float]:
-    """Logged channels, and the order of the runs, with which the values rise or fall.
-
-    Six that rise in their order do not by chance (2 of 720).  What warms up in an afternoon goes
-    along with its order: what tells nearly as much as the best is told as well.
-
-    Returns
-    -------
-    dict of str to float
-        Channel, or `ORDER`: Kendall's rank correlation; the strongest first.
-    """
-    times = [level for _, level in levels.levels]
-    asked, found = _orders(levels), {}
-    for name, places in asked.items():
-        ranked = kendalltau(places, times)
-        if ranked.pvalue < BY_CHANCE / len(asked):
-            found[name] = float(ranked.statistic)
-    best = max(map(abs, found.values()), default=0.0)
-    order = sorted(found, key=lambda name: -abs(found[name]))
-    return {name: found[name] for name in order if abs(found[name]) >= NEARLY * best}
-
-
-def unasked(levels: RunLevels) -> tuple[str, ...]:
-    """Logged channels that differ between runs, of which too few are known to ask for them."""
-    if len(levels.levels) >= FEWEST:
-        return ()
-    return tuple(name for name in _orders(levels) if name != ORDER)
-
-
-def may_go_with(levels: RunLevels) -> dict[str, float]:
-    """Logged channels in the order of which all values rise (1) or fall (-1), of too few runs."""
-    times = [level for _, level in levels.levels]
-    if len(times) < FEWEST or goes_with(levels):
-        return {}
-    ranked = {
-        name: float(kendalltau(places, times).statistic)
-        for name, places in _logged(levels).items()
-        if len(set(places)) == len(places)
-    }
-    return {name: tau for name, tau in ranked.items() if abs(tau) > 1.0 - 1e-9}
-
-
-def sure_from(levels: RunLevels) -> int:
-    """Number of runs that follow one of the logged channels by chance too seldom to doubt it."""
-    asked = len(_orders(levels))
-    return next(n for n in count(FEWEST) if 2.0 / factorial(n) < BY_CHANCE / asked)
-
-
-def _orders(levels: RunLevels) -> dict[str, Sequence[float]]:
-    """Orders that values are asked for: what is the same in all runs is none."""
-    orders: dict[str, Sequence[float]] = {**_logged(levels), ORDER: range(len(levels.levels))}
-    return {name: places for name, places in orders.items() if len(set(places)) > 1}
-
-
-def _logged(levels: RunLevels) -> dict[str, list[float]]:
-    """Logged channels, run by run."""
-    return {
-        channel: [means[run] for run, _ in levels.levels]
-        for channel, means in levels.logged.items()
-    }
 
 
 def reach(p: Parameter) -> tuple[float, float]:

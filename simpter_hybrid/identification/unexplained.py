@@ -12,10 +12,11 @@ from .empirical import PIECES, TRIED, Empirical, best_probes, curve_of, empirica
 from .empirical_terms import OF_ONE, over_channel, pieces_of, terms_over
 from .fitting.fitted_model import Model, Split, refitted
 from .fitting.search import try_candidates
+from .going_with import ORDER, goes_with
 from .repeating import WHERE, repeating
 from .rigs.effect_candidate import EffectCandidate
 from .rigs.following import known_levels
-from .run_levels import ORDER, RunLevels, goes_with
+from .run_levels import RunLevels
 from .tracing.limits import IMPERFECT
 from .tracing.locating import LAST
 from .tracing.named import balance_of, coordinate_of

@@ -12,12 +12,13 @@ from ...versions import source_digest, versions
 from ..false_alarms import FalseAlarms
 from ..far_off import by_its_inverse
 from ..fitting.floor import replicate_noise
+from ..going_with import goes_with, split_by
 from ..held_out_gains import HeldOutGain
 from ..held_out_predictions import HeldOutPredictions
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..result import Diagnosis
-from ..run_levels import as_declared, differs, goes_with
+from ..run_levels import as_declared, differs
 from .apart import apart_sentence
 from .beyond_fitted import beyond_fitted_sentence
 from .cautions import (
@@ -250,7 +251,7 @@ def _levels(found: Diagnosis) -> dict[str, Any] | None:
                 "parameter": levels.parameter,
                 "runs": [{"run": run, "over_median": level} for run, level in levels.levels],
                 "before": levels.before, "after": levels.after, "share": levels.share,
-                "goes_with": goes_with(levels),
+                "goes_with": goes_with(levels), "split_by": split_by(levels),
             }
             for levels in told
         ],

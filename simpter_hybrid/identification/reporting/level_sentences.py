@@ -4,20 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..going_with import (
+    ORDER,
+    goes_with,
+    may_go_with,
+    split_by,
+    sure_from,
+    unasked,
+)
 from ..levels_with_speed import goes_with_speed
 from ..run_levels import (
     FEWEST,
-    ORDER,
     RunLevels,
     differs,
-    goes_with,
-    may_go_with,
     odd_run,
     same_in_all,
     step_of,
-    sure_from,
     together,
-    unasked,
 )
 
 
@@ -67,12 +70,15 @@ def _size(levels: RunLevels) -> str:
 
 
 def _course(levels: RunLevels) -> str:
-    said, runs = [], len(levels.levels)
-    for name, tau in goes_with(levels).items():
+    said, runs, split = [], len(levels.levels), split_by(levels)
+    sure = goes_with(levels)
+    for name, tau in sure.items():
         way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
         order = f"{way} in the {ORDER}, as what warms up or wears does"
         said.append(order if name == ORDER else f"{way} with {channel}, which was logged")
-    if (step := step_of(levels)) is not None:
+    if split:
+        said = [_follows(name, split[name], name in sure, runs) for name in split]
+    elif (step := step_of(levels)) is not None:
         within = f", in {step.between}," if step.between else ""
         said = [
             f"changes once{within} from {step.before:.4g} up to {step.until} to {step.after:.4g} "
@@ -91,6 +97,12 @@ def _course(levels: RunLevels) -> str:
         what = f"how fast a {'piece' if moved.pieces else 'run'} moves{where} ({seldom})"
         said.append(f"{way} with {what}, as what depends on speed does")
     return (f"; it {' and '.join(said)}" if said else "") + _unasked(levels)
+
+
+def _follows(name: str, chance: float, sure: bool, runs: int) -> str:
+    """Words on a channel of few levels, at each of which the values are alike."""
+    seldom = "" if sure else f" (chance does so in {max(1, round(100 * chance))} of 100)"
+    return f"follows {name.replace('_', ' ')}, which was logged, in all {runs} runs{seldom}"
 
 
 def _unasked(levels: RunLevels) -> str:
