@@ -15,6 +15,7 @@ from ..tracing.limits import IMPERFECT
 from ..tracing.rivals import LEAST_FURTHER
 from .held_out_sentences import SPOILT, held_out
 from .kinds_of_runs import far_ones, own_errors
+from .size_intervals import sizes_may_be_zero
 
 #: Repeated runs of one kind are named if they differ so many times as much as those of most kinds
 #: (of own recordings without such events 1.2 at most), of so many kinds at least.
@@ -52,7 +53,7 @@ def unsized_sentence(
     sure = {gain.name for gain in _of_named(found, gains) if gain.low_here > 0.0}
     wide = [
         e for e in found.search.corrected.effects
-        if e.sizes and all(n in told and _may_be_zero(told[n]) for n in e.sizes)
+        if e.sizes and sizes_may_be_zero(e, told)
     ]  # fmt: skip
     unsized = [e.listed_as for e in wide if e.name not in sure]
     traded = [
@@ -174,11 +175,6 @@ def _is_form(one: Candidate, other: Candidate) -> bool:
     """
     within = one.name in other.contains and not one.declared
     return one.family == other.family or within or other.name in one.contains
-
-
-def _may_be_zero(row: Mapping[str, Any]) -> bool:
-    """Whether a size has an interval with zero in it, or none at all."""
-    return row["half_width"] is None or abs(row["value"]) <= row["half_width"]
 
 
 def uneven_sentence(

@@ -21,6 +21,9 @@ from ..fitting.identifiability import Estimate, estimates, widest
 from ..result import Diagnosis
 from ..rigs.effect_candidate import EffectCandidate
 
+#: How the row of a declared number found off ends.
+OVER = " over declared"
+
 
 def parameter_rows(found: Diagnosis) -> list[dict[str, Any]]:
     """Fitted values with the half-widths of their 95 % intervals; None: not shown by the data."""
@@ -102,6 +105,11 @@ def units_of(candidate: EffectCandidate, device: Device) -> dict[str, str]:
     return found
 
 
+def over_declared(name: str) -> tuple[str, ...]:
+    """The declared numbers of a row of `declared_rows` by its name; none of another row."""
+    return tuple(name.removesuffix(OVER).split(", ")) if name.endswith(OVER) else ()
+
+
 def declared_rows(
     model: Model, tolerances: Sequence[Mapping[str, Any]], rows: Sequence[Estimate],
     correlation: np.ndarray,
@@ -144,6 +152,6 @@ def _row(
         spread = float(relative @ correlation[np.ix_(which, which)] @ relative)
         width = abs(total) * float(np.sqrt(max(spread, 0.0)))
     return {
-        "name": f"{numbers} over declared", "found": True, "value": total, "unit": "",
+        "name": f"{numbers}{OVER}", "found": True, "value": total, "unit": "",
         "half_width": width, "largest_correlation": 0.0, "with": "",
     }  # fmt: skip

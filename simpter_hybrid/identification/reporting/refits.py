@@ -26,7 +26,7 @@ def far_refits(found: Diagnosis) -> list[str]:
     ended = {p: p.at_limit(values[p.name]) for p in _refitted(found)}
     return [
         _told(p, off, ", and no farther is tried" * ended[p])
-        for p, off in _refitted(found).items()
+        for p, off in _alone(found).items()
         if _far(p, off) or ended[p]
     ]
 
@@ -36,7 +36,7 @@ def _beyond_tolerance(found: Diagnosis) -> list[str]:
     values = found.search.corrected.values
     return [
         _told(p, off)
-        for p, off in _refitted(found).items()
+        for p, off in _alone(found).items()
         if _beyond(p, off) and not (_far(p, off) or p.at_limit(values[p.name]))
     ]
 
@@ -142,3 +142,18 @@ def _refitted(found: Diagnosis) -> dict[Parameter, float]:
     model = found.search.corrected
     declared = [p for p in model.predictor.parameters if isfinite(p.tolerance)]
     return {p: model.values[p.name] / p.value - 1.0 for p in declared}
+
+
+def _alone(found: Diagnosis) -> dict[Parameter, float]:
+    """As `_refitted`, without what stands for a share of the same numbers that was found.
+
+    The two are known as their product alone, which is told among the sizes.
+    """
+    model = found.search.corrected
+    shared = {number for e in model.effects for _, number in getattr(e, "shares", ())}
+    if not shared:
+        return _refitted(found)
+    predictor: Any = model.predictor
+    groups = predictor.declared.notes.get("tolerances", ())
+    gone = {t["name"] for t in groups if shared.issuperset(t["parameters"])}
+    return {p: off for p, off in _refitted(found).items() if p.name not in gone}
