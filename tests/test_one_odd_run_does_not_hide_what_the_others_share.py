@@ -7,6 +7,7 @@ from toy_rig import ToyRig, toy_replay
 
 from simpter_hybrid.identification import runwise_search
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.own_refits import at_medians
 from simpter_hybrid.identification.own_values import run_levels
 
 
@@ -45,4 +46,4 @@ def test_common_values_of_what_differs_begin_at_the_median():
     found = found_in((1.0, 1.02, 1.45, 0.98))
     model = found.search.refitted
     own = (run_levels(model, [*found.split.fit, *found.split.select], 1.0),)
-    assert runwise_search._at_medians(model, own)["scale"] == pytest.approx(1.01, abs=0.006)
+    assert at_medians(model, own)["scale"] == pytest.approx(1.01, abs=0.006)

@@ -9,23 +9,18 @@ import numpy as np
 
 from .fitting.effort import effort_of
 from .fitting.fit import WIDE, Fitter
-from .fitting.fitted_model import Model, Trial, refitted, with_effect
-from .fitting.replay import Replay
+from .fitting.fitted_model import Model, Trial, with_effect
+from .own_refits import Own, fitted_anew, refined, runs_of, times_of, with_own, with_room
 from .own_values import run_levels
-from .run_levels import RunLevels, differs, likeliest
+from .run_levels import AS_WELL, RunLevels, differs, likeliest
 from .tracing.slow_state import RUN
 from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import WeightedSearch, WeightedSearchResult
 
-#: Parameters with values of their own in each run, the one that explained most first.
-Own = tuple[RunLevels, ...]
 #: Own values are also fitted with the models of so many best candidates of different families, and
 #: of those of any family that leave up to so many times what the best one does: where a parameter
 #: differs from run to run, a wrong form may fit as well as the right one.
 FAMILIES, NEAR = 4, 1.2
-#: How often own and common values are fitted in turn: the right form then goes from 50 times the
-#: noise to it, of which a wrong one leaves nearly all.
-TURNS = 3
 #: Runs of which most can outvote one, and steps of the fit of each alone.
 MOST_OF, ALONE = 3, 6
 #: Models that leave up to so many times what the best of them leaves get one such turn, and so many
@@ -43,13 +38,13 @@ def runwise(
     own values explain much of the rest, and kept only if they still do beside the effects: what
     follows the motion in a run is no matter of runs.
     """
-    done, runs = found.search, _runs(found)
+    done, runs = found.search, runs_of(found)
     if not search.bench.by_run or effort_of(search.bench.predictor).used_up:
         return found, ()
     if not _much(done.corrected.select_error, found) and done.verdict.kind not in LACKING:
         return found, ()
     search.say("asking whether a declared parameter differs from run to run")
-    models = [*_models(found), *_typical(search, found)]
+    models = [*_models(found), *_without_effects(found), *_typical(search, found)]
     names = _asked(done.corrected, search.bench.common)
     asked = [(model, run_levels(model, runs, found.noise, names)) for model in models]
     told = [(model, levels) for model, levels in asked if levels is not None]
@@ -58,9 +53,13 @@ def runwise(
     first = min((levels for _, levels in told), key=lambda levels: levels.after)
     if first.share < LEAST_SHARE:
         return found, tuple(levels for _, levels in told[:1])
-    worth = [(m, (levels,)) for m, levels in told if levels.after <= WORTH * first.after]
-    once = _likeliest_first(_refined(*a, found, turns=1) for a in worth)
-    model, own = _likeliest_first(_refined(*a, found) for a in once[:BEST])[0]
+    worth = [
+        (m, (levels,)) for m, levels in told
+        if levels.after <= WORTH * first.after or not m.effects
+    ]  # fmt: skip
+    once = _likeliest_first(refined(*a, found, turns=1) for a in worth)
+    best = [*once[:BEST], *[one for one in once[BEST:] if not one[0].effects][:1]]
+    model, own = _likeliest_first(refined(*a, found) for a in best)[0]
     if _much(own[0].after, found):
         own = _with_second(model, own, found, names)
     again, own = _searched(search, found, own, model)
@@ -69,8 +68,8 @@ def runwise(
     if not all(map(differs, own)):
         return found, own
     if _new(again, found):  # beside effects that are new the own values are others
-        refined = _refined(again.search.corrected, own, again)[1]
-        further = _searched(search, again, refined, again.search.refitted)
+        anew = refined(again.search.corrected, own, again)[1]
+        further = _searched(search, again, anew, again.search.refitted)
         again, own = further if all(map(differs, further[1])) else (again, own)
     return _by_run(again), own
 
@@ -89,14 +88,24 @@ def _much(error: float, found: WeightedSearchResult) -> bool:
     return error > found.limit.lack * found.noise
 
 
-def _likeliest_first(refined: Iterable[tuple[Model, Own]]) -> list[tuple[Model, Own]]:
-    """Models with the own values of one parameter: of the `likeliest` first, least left first."""
-    told = sorted(refined, key=lambda one: one[1][0].after)
+def _likeliest_first(fits: Iterable[tuple[Model, Own]]) -> list[tuple[Model, Own]]:
+    """Models with the own values of one parameter: of the `likeliest` first, least left first.
+
+    Of those that do as well the fewest effects come first: what own values do alone needs none.
+    """
+    told = sorted(fits, key=lambda one: one[1][0].after)
     best: dict[str, RunLevels] = {}
     for _, (levels, *_) in told:
         best.setdefault(levels.parameter, levels)
     first = likeliest(list(best.values())).parameter
-    return sorted(told, key=lambda one: one[1][0].parameter != first)
+    as_well = AS_WELL * best[first].after
+
+    def place(one: tuple[Model, Own]) -> tuple[bool, bool, int]:
+        model, (levels, *_) = one
+        far = levels.after > as_well
+        return levels.parameter != first, far, 0 if far else len(model.effects)
+
+    return sorted(told, key=place)
 
 
 def _asked(model: Model, common: Sequence[str]) -> list[str]:
@@ -110,10 +119,10 @@ def _with_second(
 ) -> Own:  # fmt: skip
     """Own values of one parameter, and of a second that explains much of what the first leaves."""
     others = [name for name in names if name != own[0].parameter]
-    second = run_levels(model, _runs(found, own), found.noise, others) if others else None
+    second = run_levels(model, runs_of(found, own), found.noise, others) if others else None
     if second is None or second.share < LEAST_SHARE:
         return own
-    return _refined(model, (*own, second), found)[1]
+    return refined(model, (*own, second), found)[1]
 
 
 def _models(found: WeightedSearchResult) -> list[Model]:
@@ -133,13 +142,21 @@ def _models(found: WeightedSearchResult) -> list[Model]:
     return [done.corrected, *(with_effect(done.refitted, t, found.split) for t in asked)]
 
 
+def _without_effects(found: WeightedSearchResult) -> list[Model]:
+    """The refitted model, where effects were named: own values may do all that these do.
+
+    It needs more turns than they do, for an effect has moved the declared numbers already.
+    """
+    return [found.search.refitted] if found.search.corrected.effects else []
+
+
 def _typical(search: WeightedSearch, found: WeightedSearchResult) -> list[Model]:
     """The declared model with what most runs ask for, each fitted alone; none of too few runs.
 
     One run with twice the friction draws a common fit halfway to itself, where neither it nor any
     other is described and no value of one parameter helps.
     """
-    runs, done = _runs(found), found.search.refitted
+    runs, done = runs_of(found), found.search.refitted
     if len(runs) < MOST_OF:
         return []
     alone = [
@@ -157,46 +174,6 @@ def _new(again: WeightedSearchResult, found: WeightedSearchResult) -> set[str]:
     return next(named) - next(named)
 
 
-def _refined(
-    model: Model, own: Own, found: WeightedSearchResult, turns: int = TURNS
-) -> tuple[Model, Own]:
-    """Fit common and own values in turn, since each was fitted with the others as they had been."""
-    fit, select = found.split.fit, found.split.select
-    for _ in range(turns):
-        values = _values(own)
-        mine = _with_own(fit, values[: len(fit)]), _with_own(select, values[len(fit) :])
-        split = replace(found.split, fit=mine[0], select=mine[1])
-        begun = _at_medians(model, own)
-        model = refitted(model.predictor, split, model.effects, begun, model.unit)
-        own = _fitted(model, own, found)
-    return model, own
-
-
-def _at_medians(model: Model, own: Own) -> dict[str, float]:
-    """Values of a model, those that differ between runs at the median of their own ones."""
-    known = {p.name: p for p in model.predictor.parameters}
-    values = dict(model.values)
-    for p, usual in ((known[levels.parameter], levels.usual) for levels in own):
-        values[p.name] = float(np.clip(usual * p.value, p.lower, p.upper))
-    return values
-
-
-def _fitted(model: Model, own: Own, found: WeightedSearchResult) -> Own:
-    """Fit the own values of each parameter anew, with those of the other parameters in place."""
-    for k, levels in enumerate(own):
-        runs = _runs(found, (*own[:k], *own[k + 1 :]))
-        told = run_levels(model, runs, found.noise, (levels.parameter,), levels) or levels
-        own = (*own[:k], told, *own[k + 1 :])
-    return own
-
-
-def _values(own: Own) -> list[dict[str, float]]:
-    """For each run a mapping from the parameters to their own values in it."""
-    runs = zip(*(levels.levels for levels in own), strict=True)
-    names = [levels.parameter for levels in own]
-    return [dict(zip(names, (times for _, times in run), strict=True)) for run in runs]
-
-
 def _searched(
     search: WeightedSearch, found: WeightedSearchResult, own: Own, begun: Model
 ) -> tuple[WeightedSearchResult, Own]:
@@ -206,21 +183,12 @@ def _searched(
     """
     names = " and ".join(levels.parameter for levels in own)
     search.say(f"once more: {names} {'differs' if len(own) == 1 else 'differ'} from run to run")
-    values = _values(own)
+    values = times_of(own)
     count = len(search.parts["fit"])
     parts = dict(search.parts)
-    parts["fit"] = _with_own(parts["fit"], values[:count])
-    parts["select"] = _with_own(parts["select"], values[count:])
+    parts["fit"] = with_own(parts["fit"], values[:count])
+    parts["select"] = with_own(parts["select"], values[count:])
     declared = {name: begun.values[name] for name in found.search.refitted.values}
-    again = replace(search, parts=parts).settled(declared)
-    return again, _fitted(again.search.corrected, own, again)
-
-
-def _runs(found: WeightedSearchResult, own: Own = ()) -> list[Replay]:
-    """Fitted and selecting runs, with the own values `own` and all else common."""
-    runs = [*found.split.fit, *found.split.select]
-    return _with_own(runs, _values(own) if own else [{}] * len(runs))
-
-
-def _with_own(replays: Sequence[Replay], own: Sequence[dict[str, float]]) -> list[Replay]:
-    return [replace(r, own=values) for r, values in zip(replays, own, strict=True)]
+    bench = replace(search.bench, predictor=with_room(search.bench.predictor, own))
+    again = replace(search, bench=bench, parts=parts, start=declared).settled(declared)
+    return again, fitted_anew(again.search.corrected, own, again)

@@ -61,12 +61,15 @@ class ScenarioPredictor:
         Added so far.
     effort : Effort
         Counts the steps of all that extends this model.
+    wider : tuple of Parameter
+        Declared parameters with other bounds than their tolerances give (`with_wider`).
     """
 
     declared: Scenario
     rig: Rig
     effects: tuple[EffectCandidate, ...] = ()
     effort: Effort = field(default_factory=Effort, compare=False)
+    wider: tuple[Parameter, ...] = ()
 
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -78,6 +81,8 @@ class ScenarioPredictor:
             )
             for t in self.declared.notes.get("tolerances", ())
         ]  # fmt: skip
+        wider = {p.name: p for p in self.wider}
+        found = [wider.get(p.name, p) for p in found]
         own = {p.name: p for e in self.effects for p in e.parameters}
         return (*(p for p in found if p.name not in own), *own.values())
 
@@ -86,6 +91,10 @@ class ScenarioPredictor:
         assert isinstance(candidate, EffectCandidate)
         effects = sorted((*self.effects, candidate), key=_is_last)  # keeps the order of the rest
         return replace(self, effects=tuple(effects))
+
+    def with_wider(self, parameters: Sequence[Parameter]) -> ScenarioPredictor:
+        """This model with these parameters in place of declared ones of their names."""
+        return replace(self, wider=tuple(parameters))
 
     def absorbed(self, candidate: Candidate, values: Mapping[str, float]) -> dict[str, float]:
         """Values with which this model does what one with the candidate does, if it can.
