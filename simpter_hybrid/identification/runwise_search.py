@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from .channel_effects import by_channel_instead
 from .fitting.effort import effort_of
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Model, Trial, with_effect
@@ -71,6 +72,8 @@ def runwise(
         anew = refined(again.search.corrected, own, again)[1]
         further = _searched(search, again, anew, again.search.refitted)
         again, own = further if all(map(differs, further[1])) else (again, own)
+    if (instead := by_channel_instead(search, again, own)) is not None:
+        return instead, ()
     return _by_run(again), own
 
 

@@ -112,6 +112,34 @@ def search_effects(
     return SearchResult(declared, corrected, tuple(rounds), verdict, floor, passed_over)
 
 
+def gone_on_with(
+    done: SearchResult,
+    declared: Model,
+    base: Model,
+    candidates: Sequence[Candidate],
+    given: Given,
+) -> SearchResult | None:
+    """The search with one more effect, by a round on another base; None where none can be named.
+
+    Parameters
+    ----------
+    done : SearchResult
+    declared, base : Model
+        Without and with the effects that it has found, fitted anew.
+    candidates : sequence of Candidate
+    given : Given
+    """
+    made = step(given, base, candidates, traced(given.tracer, base, given.split))
+    last, model, _ = concluded(given, made)
+    if model is None:
+        return None
+    rounds = [*(r for r in done.rounds if r.verdict.accepted is not None), last]
+    verdict = _on_all(rounds, declared, model, given.floor, given.limit)
+    if verdict.accepted is None:
+        return None
+    return SearchResult(declared, model, tuple(rounds), verdict, given.floor)
+
+
 def before_last(done: SearchResult, limit: Limits) -> SearchResult | None:
     """The search as it was before its last effect was found; None where that is not known.
 
