@@ -93,7 +93,7 @@ def tried(folder, described):
     (folder / "map.toml").write_text(described, encoding="utf-8")
     recording = as_recorded(load_recording(folder / "data.csv", folder / "map.toml"))
     bench = bench_of(recording, declared_axis(), groups_of(recording))
-    return {c.name for c in bench.candidates} & LATE
+    return {c.name: c for c in bench.candidates if c.name in LATE}
 
 
 def without(text, channel):
@@ -104,7 +104,9 @@ def without(text, channel):
 
 def test_it_is_asked_of_a_speed_that_was_logged_alone(tmp_path, monkeypatch):
     monkeypatch.setattr("axis_recordings.MODEL", declared_text())
-    assert tried(tmp_path, without(MAP + SPEED, "position")) == LATE
+    asked = tried(tmp_path, without(MAP + SPEED, "position"))
+    assert asked.keys() == LATE
+    assert "position logged beside" in asked["speed-lag"].experiment
 
 
 def declared_text():
@@ -113,16 +115,18 @@ def declared_text():
 
 
 def test_not_beside_a_position_that_it_goes_with(tmp_path):
-    assert tried(tmp_path, MAP + SPEED) == set()
+    assert not tried(tmp_path, MAP + SPEED)
 
 
 def test_but_beside_one_that_it_is_behind(tmp_path):
-    assert tried(tmp_path, MAP + SPEED + 'clock_shift = "20 ms"\n') == LATE
+    asked = tried(tmp_path, MAP + SPEED + 'clock_shift = "20 ms"\n')
+    assert asked.keys() == LATE
+    assert "without its speed" in asked["speed-lag"].experiment  # a position is there
 
 
 def test_not_of_an_axis_that_is_let_alone(tmp_path):
     alone = "driven = false\n" + without(MAP + SPEED, "torque")
-    assert tried(tmp_path, alone) == set()
+    assert not tried(tmp_path, alone)
 
 
 def test_a_declared_one_that_is_ahead_is_refused():

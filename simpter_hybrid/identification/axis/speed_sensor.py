@@ -42,6 +42,9 @@ REACH = 3
 #: Part of the error that this may add: where the speed of own motors was filtered its lag left 0.8
 #: to 2.3 % more than one of the drive, where the drive lagged 6 to 15 % more.
 BLURRED = 0.03
+#: What tells a late speed from what else is late, without a position and beside one.
+BESIDE_NONE = "The position logged beside the speed: the two at the same instants."
+BESIDE = "The same recording without its speed: by the position the drive alone may be late."
 #: Where it shows: friction and springs act on another speed than the one shown.
 WHERE = ("time", "speed", "slip_velocity", "position")
 
@@ -78,9 +81,10 @@ def speed_candidates(
         return ()
     most = max(float(np.quantile(np.abs(values), 0.99)) for values in seen)
     offset = speed_offset(most, turning)
-    if alone or not (recording.channels[s.position].summed or _behind(recording)):
+    summed = recording.channels[s.position].summed
+    if alone or not (summed or _behind(recording)):
         return (offset,)
-    return (offset, *late_speed())
+    return (offset, *late_speed(BESIDE_NONE if summed else BESIDE))
 
 
 def _behind(recording: Recording) -> bool:
@@ -101,12 +105,12 @@ def speed_offset(most: float, turning: bool) -> EffectCandidate:
     return _candidate(offset, 0.0, "speed sensor", WHERE, again)
 
 
-def late_speed() -> tuple[EffectCandidate, ...]:
+def late_speed(again: str) -> tuple[EffectCandidate, ...]:
     """Candidates: a speed that is filtered, one that is late, one averaged over so long.
 
     And a mean that is filtered, as a controller makes of counts, where one of these leaves more.
+    `again`: what tells them.
     """
-    again = "The position logged beside the speed: the two at the same instants."
     lag = Parameter(LAG, 0.0, 0.0, LONGEST, TYPICAL, unit="s")
     delay = Parameter(DELAY, 0.0, 0.0, LONGEST, TYPICAL, unit="s")
     time = Parameter(AVERAGE, 0.0, 0.0, 2.0 * LONGEST, TYPICAL, unit="s")
