@@ -22,7 +22,6 @@ from ..run_levels import as_declared, differs
 from .apart import apart_sentence
 from .beyond_fitted import beyond_fitted_sentence
 from .cautions import (
-    between_rows_sentence,
     cut_off_sentence,
     cut_short_sentence,
     doubted_sentence,
@@ -38,6 +37,7 @@ from .dependence_text import is_straight
 from .dying_out import dying_out_sentence
 from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
+from .held_drives import held_drives_sentence
 from .held_out_data import (
     breakaway_rows,
     errors_of_experiments,
@@ -189,7 +189,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "repeated": repeated_sentence(
             found.repeated, found.over_noise, told_apart_by_the_model(found, taken)
         ),
-        "between_rows": between_rows_sentence(recording, verdict),
+        "between_rows": held_drives_sentence(found, recording),
         "creeping": creeping_sentence(told, taken),
         "swings": swinging_sentence(found, told),
         "repeats": repeating_sentence(found),
