@@ -126,7 +126,7 @@ def test_what_comes_nearest_is_told_with_what_it_takes_away(kind, told):
     near = Some(candidate=Some(name="viscous-drag"), gain=0.204)
     verdict = Verdict(kind, coordinates=("force:position",))
     assert f"none of the known effects {told}" in said(verdict, 2.0)
-    nearest = said(verdict, 2.0, rounds=[Some(best=near, trials=[near])])
+    nearest = said(verdict, 2.0, rounds=[Some(best=near, trials=[near], before={})])
     assert "effects explains it (viscous-drag, which comes nearest, takes 20 %" in nearest
 
 

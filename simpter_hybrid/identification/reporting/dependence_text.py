@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ..tracing.locating import located
 from ..tracing.named import REVERSAL, balance_of, coordinate_of
+from ..tracing.signature import Dependence
 from ..tracing.slow_state import RUN
 
 #: Coordinates that a sentence mentions.
 MENTIONED = 4
+#: A coordinate that takes this part of the square of what is left away tells most of it.
+MOST = 0.5
 #: Where a lack sits, by the balance in which it shows.
 PLACES = {
     "friction": "friction, actuator or torque sensor",
@@ -60,6 +64,24 @@ def depends_on(coordinates: Sequence[str], straight: bool = False) -> str:
         text = " (both have the torque sensor in common, and " + " and ".join(both[:MENTIONED])
         said[[b for b in places if b in OF_BOTH][-1]] += f"{text})"
     return "; ".join(said.values()) or "nothing that was looked at"
+
+
+def among_others(
+    where: Sequence[str], dependences: Sequence[Dependence], straight: bool = False
+) -> str:
+    """Words on coordinates that surely tell less than those of `where`; "" if these tell most.
+
+    Where none takes `MOST` of the square away they may all go along with what nobody looked at:
+    friction that rises with acceleration was one of displacement since reversal, with 0.29 of the
+    square, and acceleration, with 0.14, was not told.
+    """
+    gains = {d.coordinate: d.gain for d in dependences}
+    told = [gains.get(c, MOST) for c in where]
+    gone = {*where, *(SAME if {*SAME} & {*where} else ())}
+    others = [c for c in located(dependences, alike=0.0) if c not in gone]
+    if not told or not others or max(told) >= MOST:
+        return ""
+    return f", among others (less on {depends_on(others, straight)})"
 
 
 def _where(balance: str) -> str:

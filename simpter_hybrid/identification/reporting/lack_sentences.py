@@ -14,7 +14,7 @@ from ..tracing.round import above_floor
 from ..tracing.traced import of_all_balances
 from ..tracing.verdict import COLOURED_ALONE, DRIVER_ALONE
 from ..untested import untested
-from .dependence_text import SAME, depends_on, is_straight
+from .dependence_text import SAME, among_others, depends_on, is_straight
 from .held_out_sentences import (
     NEXT_TO_NOTHING,
     curve_does_next_to_nothing,
@@ -126,6 +126,8 @@ def _of_a_lack(found: Diagnosis) -> str:
             f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
             f"explains it{_nearest(found)}, and it depends on {on}{_would_tell(found)}."
         )
+    seen = [d for first in done.rounds[:1] for d in of_all_balances(first.before)]
+    on += among_others(verdict.coordinates, seen, is_straight(found))
     unknown = f"Something is missing and none of the known effects explains it{_nearest(found)}"
     if found.empirical is not None:  # whose sentence says how much is left
         if _untold_by(found.empirical, found):
