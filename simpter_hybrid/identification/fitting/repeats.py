@@ -38,6 +38,9 @@ TOGETHER, LEVEL = 0.5, 0.02
 #: Signals whose size is how much they change, wherever their zero is, by the beginnings of their
 #: names.  The same course at another place is another one all the same.
 PLACES = ("position",)
+#: Part of the windows that two runs have in common: fewer are of another course, or of runs that
+#: stuck elsewhere.
+MOSTLY = 0.5
 #: Times the median beyond which a window is left out; a stretch where a run has no windows [s].
 OUTLYING, STRETCH = 3.0, 0.5
 #: Least number of windows that tell a floor: to a quarter, were the noise the same all through
@@ -111,7 +114,7 @@ def course(replay: Replay) -> dict[str, np.ndarray]:
 
 
 def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
-    """Groups of two or more runs of the same course, with windows at the same rows.
+    """Groups of two or more runs of the same course, with windows of the same rows.
 
     Whatever was logged beside them: what that does is asked of the best models before it counts as
     what does not come again (`repeated_over`).  Runs in which nothing changes and whose place
@@ -147,9 +150,26 @@ def names_of_repetitions(replays: Sequence[Replay]) -> tuple[tuple[str, ...], ..
 
 
 def _same_windows(a: Replay, b: Replay) -> bool:
-    return a.observed.keys() == b.observed.keys() and all(
-        a.observed[c].windows == b.observed[c].windows for c in a.observed
-    )
+    """Whether most windows of two runs are of the same rows, in every channel.
+
+    Where they begin noise has a say: of five pairs of a tester's repetitions three had one window
+    fewer in one run.  Those of other rows are not compared.
+    """
+    if a.observed.keys() != b.observed.keys():
+        return False
+    sizes = {c: max(len(r.observed[c].windows) for r in (a, b)) for c in a.observed}
+    return all(n < 2 or len(_common_spans([a, b], c)) >= MOSTLY * n for c, n in sizes.items())
+
+
+def _common_spans(group: Sequence[Replay], channel: str) -> list[slice]:
+    """Rows of the windows of a channel that all runs have; of runs not cut of the stretches."""
+    rows = min(r.time.size for r in group)
+    cut = any(len(r.observed[channel].windows) > 1 for r in group)
+    each = [
+        {*itertools.pairwise((*(k for k in window_starts_of(r, channel) if k < rows), rows))}
+        for r in (group if cut else group[:1])
+    ]
+    return [slice(a, b) for a, b in sorted(set.intersection(*each))]
 
 
 def repeated_floor(
@@ -171,8 +191,7 @@ def repeated_floor(
             told = np.all(np.isfinite(stack), axis=0)
             stack = np.where(told, stack, 0.0)
             apart = np.sum((stack - stack.mean(axis=0)) ** 2, axis=0) / (len(group) - 1)
-            ends = (*window_starts_of(group[0], channel), rows)
-            spans = [slice(a, b) for a, b in itertools.pairwise(ends)]
+            spans = _common_spans(group, channel)
             squares += [float(np.mean(apart[s][told[s]])) for s in spans if told[s].any()]
     if not squares:
         return float("nan"), float("nan")
@@ -228,8 +247,7 @@ def repeated_over(
 
 def _windows_apart(group: Sequence[Replay]) -> int:
     """Number of independent differences: windows of a group times its runs less one."""
-    first = group[0]
-    return (len(group) - 1) * sum(len(window_starts_of(first, c)) for c in first.observed)
+    return (len(group) - 1) * sum(len(_common_spans(group, c)) for c in group[0].observed)
 
 
 def window_starts_of(replay: Replay, channel: str) -> tuple[int, ...]:
