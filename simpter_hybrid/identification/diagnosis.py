@@ -29,6 +29,7 @@ from .fitting.effort import USUAL, never
 from .fitting.fitted_model import Model
 from .fitting.residual import check_simulated, rms, weighted_residuals
 from .forms_beside import forms_beside
+from .late_by_record import named_by_record
 from .percent import percent
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
@@ -120,7 +121,8 @@ def diagnose(
     found, levels = runwise(search, search.settled(first.values))
     levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
     asked = found.split.report, found.floors, found.limit, levels
-    done, harmful = without_harmful(found.search, *asked)
+    done = named_by_record(found.search, recording, found.limit)
+    done, harmful = without_harmful(done, *asked)
     done, term = with_curve_over_rest(replace(found, search=done), levels, say)
     steps = predictor.effort.spent
     say(f"the search took {steps / 1e6:.0f} million steps of simulated runs")

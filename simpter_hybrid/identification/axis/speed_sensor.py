@@ -82,16 +82,16 @@ def speed_candidates(
     most = max(float(np.quantile(np.abs(values), 0.99)) for values in seen)
     offset = speed_offset(most, turning)
     summed = recording.channels[s.position].summed
-    if alone or not (summed or _behind(recording)):
+    if alone or not (summed or behind_position(recording) > 0.0):
         return (offset,)
     return (offset, *late_speed(BESIDE_NONE if summed else BESIDE))
 
 
-def _behind(recording: Recording) -> bool:
-    """Whether a speed is late by the position beside it."""
+def behind_position(recording: Recording) -> float:
+    """How late a speed is by the position beside it [s]; 0 where the two do not tell that it is."""
     known = [(run.time, run.channels) for run in recording.runs]
     told = lateness(known, recording.channels).get(AxisSignals.speed)
-    return told is not None and told[1] > 0.0
+    return 0.0 if told is None else max(told[1], 0.0)
 
 
 def speed_offset(most: float, turning: bool) -> EffectCandidate:
@@ -168,7 +168,7 @@ def shown_speed(
         parts = []
         for a, b in pairwise([*begins, speed.size]):
             course = Course(time[a:b] - time[a], speed[a:b], acceleration[a:b],
-                             behind[a] / _late(values))  # fmt: skip
+                             behind[a] / late_by(values))  # fmt: skip
             parts.append(_shown(course, values) if b > a else speed[a:b])
         speed = np.concatenate(parts)
     return speed + values.get(OFFSET, 0.0)
@@ -202,7 +202,7 @@ def is_late(values: Mapping[str, float]) -> bool:
     return any(values.get(name, 0.0) != 0.0 for name in (LAG, DELAY, AVERAGE))
 
 
-def _late(values: Mapping[str, float]) -> float:
+def late_by(values: Mapping[str, float]) -> float:
     """How late it shows what goes straight [s]."""
     return values.get(LAG, 0.0) + values.get(DELAY, 0.0) + 0.5 * values.get(AVERAGE, 0.0)
 
@@ -225,5 +225,5 @@ def _behind_by(
         degree = CUBIC if min(k - first, last - 1 - k) >= half else PARABOLA
         near = time[first:last] - time[k], speed[first:last]
         fit = np.polynomial.Polynomial.fit(*near, degree)
-        found[k] = float(lag * fit.deriv()(0.0) + fit(_late(values) - lag) - fit(0.0))
+        found[k] = float(lag * fit.deriv()(0.0) + fit(late_by(values) - lag) - fit(0.0))
     return found
