@@ -16,7 +16,7 @@ from .going_with import ORDER, goes_with
 from .repeating import WHERE, repeating
 from .rigs.effect_candidate import EffectCandidate
 from .rigs.following import known_levels
-from .run_levels import RunLevels
+from .run_levels import RunLevels, differs
 from .tracing.limits import IMPERFECT
 from .tracing.locating import LAST
 from .tracing.named import balance_of, coordinate_of
@@ -42,7 +42,8 @@ def with_curve_over_rest(
     and where a curve over what it has located takes next to nothing away: a refit that went far has
     bent the residual along something else.  So they are where that curve leaves much: residual
     forces of a motion that only positions show are smeared, and another curve may do far better.
-    What differs from run to run along with a logged channel is asked for a curve over that.
+    What differs from run to run along with a logged channel is asked for a curve over that, beside
+    named effects as well.
     Effects that leave much are no answer where one curve leaves far less, and not told apart from
     it where it does about as well along something on which the rest still depends.
     """
@@ -67,9 +68,9 @@ def _over_rest(
     done = found.search
     verdict, model = done.verdict, done.corrected
     much = model.select_error > max(found.limit.form, IMPERFECT) * done.floor
-    if any(coordinate_of(c) == RUN for c in verdict.coordinates) and levels:
+    if levels and (along := _where_runs_differ(done, levels)):
         channels = [c for c in goes_with(levels[0]) if c != ORDER]
-        if channels and (term := over_channels(channels, verdict.coordinates[0], found, say)):
+        if channels and (term := over_channels(channels, along, found, say)):
             return done, term
     if verdict.coordinates:
         asked = verdict.kind in UNEXPLAINED
@@ -95,6 +96,19 @@ def _over_rest(
     if term is None or left <= CLEARLY_WORSE * term.trial.select_error:
         return done, known
     return replace(done, verdict=_unknown(verdict, where)), term
+
+
+def _where_runs_differ(done: SearchResult, levels: Sequence[RunLevels]) -> str:
+    """A coordinate of the balance in which runs differ; "" if what differs is no part of a verdict.
+
+    Beside effects that were named the verdict does not say so: there it is one of theirs.
+    """
+    if any(coordinate_of(c) == RUN for c in done.verdict.coordinates):
+        return done.verdict.coordinates[0]
+    if done.verdict.accepted is None or not all(map(differs, levels)):
+        return ""
+    own = (c for e in done.corrected.effects for c in e.coordinates)
+    return next((c for c in own if balance_of(c) in OF_ONE), "")
 
 
 def _unknown(verdict: Verdict, where: Sequence[str]) -> Verdict:
