@@ -27,7 +27,7 @@ from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.axis.set_points import set_point_candidates
 from simpter_hybrid.identification.axis.sizes import AxisSizes
-from simpter_hybrid.identification.axis.speed_sensor import late_speed, speed_offset
+from simpter_hybrid.identification.axis.speed_sensor import BESIDE_NONE, late_speed, speed_offset
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.effect_candidate import EffectCandidate
 from simpter_hybrid.identification.rigs.temperature import temperature_library
@@ -149,7 +149,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     driven = [
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]
-    driven += [*set_point_candidates(slide), speed_offset(1.0, True), *late_speed()]
+    driven += [*set_point_candidates(slide), speed_offset(1.0, True), *late_speed(BESIDE_NONE)]
     driven += [flexible_mode(1.0, 50.0, (), True), *rippling(slide, (wave,), turn)]
     robot = load(str(find_model("robot")))
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
