@@ -152,7 +152,7 @@ def names_of_repetitions(replays: Sequence[Replay]) -> tuple[tuple[str, ...], ..
 def _same_windows(a: Replay, b: Replay) -> bool:
     """Whether most windows of two runs are of the same rows, in every channel.
 
-    Where they begin noise has a say: of five pairs of a tester's repetitions three had one window
+    Where they begin noise has a say: of six pairs of a tester's repetitions four had one window
     fewer in one run.  Those of other rows are not compared.
     """
     if a.observed.keys() != b.observed.keys():
