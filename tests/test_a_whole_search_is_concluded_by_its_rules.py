@@ -163,3 +163,11 @@ def test_a_law_that_leaves_a_force_above_what_a_right_form_leaves_is_another_one
 def test_a_set_of_effects_that_cannot_be_told_apart_stays_one_whatever_it_leaves():
     first = Verdict("cannot be told apart", trial("a", 1.2), (trial("b", 1.2),), ("friction:x",))
     assert conclude([first], 0.9, 1.2).kind == "cannot be told apart"
+
+
+def test_a_rival_that_a_later_round_has_named_is_none_any_more():
+    rounds = [
+        Verdict("cannot be told apart", trial("a", 1.2), (trial("b", 1.2),)),
+        Verdict("form incomplete", trial("b", 1.1), (), ("friction:x",)),
+    ]
+    assert conclude(rounds, 0.9, 1.1).kind == "unknown"

@@ -48,10 +48,12 @@ def execute(args: argparse.Namespace) -> int:
 
     problems: list[Problem] = []
     sound = []
+    maps: dict[str, str] = {}
     for name in args.scenario:
         try:
             if _is_recording(name):
-                sound.append(_draft(name, args.set))
+                maps[name] = _draft(name, args.set)
+                sound.append(maps[name])
                 continue
             read = _map if _is_map(name) else _scenario
             sound.append(f"{name}: sound ({read(name, args.set)})")
@@ -62,7 +64,7 @@ def execute(args: argparse.Namespace) -> int:
     if args.json:
         import json
 
-        print(json.dumps({"problems": []}, indent=2))
+        print(json.dumps({"problems": []} | ({"maps": maps} if maps else {}), indent=2))
         return DONE
     for told in sound:
         print(told)

@@ -143,7 +143,7 @@ def _add_imported(texts: dict[str, str], name: str, folder: Path) -> None:
 
 def _is_in(module: ModuleType | None, file: Path) -> bool:
     own = getattr(module, "__file__", None)
-    return own is not None and Path(own) == file
+    return own is not None and Path(own).resolve() == file
 
 
 def _made_in(module: str, made: Any) -> bool:

@@ -40,14 +40,17 @@ def draft_map(source: str) -> str:
         If the file cannot be read, or holds no column of numbers.
     """
     layout, columns = seen_columns(source)
-    if not any(c.numbers is not None for c in columns):
+    if not any(c.numbers is not None and not c.dates for c in columns):
         got = ", ".join(c.name for c in columns) or "no columns"
         right = "a table with columns of numbers"
         raise InvalidInput([Problem(source, "", "no column of numbers is seen", got, right)])
     times = [c for c in columns if c.tells_time()]
     time = times[0] if len(times) == 1 else None
     runs = [c for c in columns if c.tells_runs() and c not in times]
-    told = [c for c in columns if c is time or c.numbers is None or (c in runs and _new(c, time))]
+    told = [
+        c for c in columns
+        if c is time or c.numbers is None or c.dates or (c in runs and _new(c, time))
+    ]  # fmt: skip
     rows = max((len(c.texts) for c in columns), default=0)
     lines = [
         f"# A map of {source} ({rows} rows), to be filled in: write what is right for every",
@@ -98,7 +101,8 @@ def _steps(time: SeenColumn) -> str:
         return ""
     steps, begins = np.diff(time.numbers), len(time.begins())
     again = f", begins anew {begins} times" if begins else ""
-    return f", mostly in steps of {np.median(steps[steps > 0.0]):.4g}{again}"
+    unit = " s" if time.dates else ""
+    return f", mostly in steps of {np.median(steps[steps > 0.0]):.4g}{unit}{again}"
 
 
 def _new(column: SeenColumn, time: SeenColumn | None) -> bool:
@@ -143,7 +147,7 @@ def _channel(column: SeenColumn, first: bool) -> list[str]:
 
 def _range(column: SeenColumn) -> str:
     """What the rows show of a column."""
-    if column.numbers is None:
+    if column.numbers is None or column.dates:
         return f"{column.texts[0]} to {column.texts[-1]}"
     finite = column.numbers[np.isfinite(column.numbers)]
     if not finite.size:

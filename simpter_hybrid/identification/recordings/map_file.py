@@ -120,7 +120,11 @@ def read_map(file: str | Path) -> RecordingMap:
     for signal in named.data:
         if signal.startswith(OPEN):
             named.problem(signal, "a signal not filled in", "its name, such as position or force")
-        channels[signal] = read_channel(named.table(signal), signal)
+        one = named.table(signal)
+        channels[signal] = read_channel(one, signal)
+        _refuse_open(one, "column")
+    _refuse_open(timing, "column")
+    _refuse_open(runs, "boundaries", "experiment", "group")
     if clock.intervals and time.column in {c.column for c in channels.values()}:
         right = "a column of its own: its stamps take the place of the intervals"
         timing.problem("column", "the intervals are a channel as well", right)
@@ -132,7 +136,9 @@ def read_map(file: str | Path) -> RecordingMap:
     chosen = table.table("only", {})
     only = {column: chosen.text(column) for column in chosen.data}
     driven = table.boolean("driven", True)
-    layout = read_layout(table.table("table", {}))
+    laid_out = table.table("table", {})
+    layout = read_layout(laid_out)
+    _refuse_open(laid_out, "columns")
     table.text("about", "")
     table.done()
     toml.problems.raise_if_any()
@@ -140,3 +146,11 @@ def read_map(file: str | Path) -> RecordingMap:
         str(file), time, channels, boundaries, experiments, groups, split, only, driven,
         layout, pieces=pieces, clock=clock, span=span, start=start,
     )  # fmt: skip
+
+
+def _refuse_open(table: TableReader, *keys: str) -> None:
+    """Problems of names of columns that were left open: units, signs and roles are read as such."""
+    for key in keys:
+        told = table.data.get(key)
+        if told == OPEN or (isinstance(told, list) and OPEN in told):
+            table.problem(key, "not filled in", "the name of a column")

@@ -20,7 +20,10 @@ SELDOM = 20
 
 @dataclass(frozen=True, eq=False)
 class SeenColumn:
-    """A column as read: `numbers` (rows,), NaN for what is none, or `texts` alone."""
+    """A column as read: `numbers` (rows,), NaN for what is none, or `texts` alone.
+
+    Of `dates` the numbers are seconds since the first.
+    """
 
     name: str
     numbers: np.ndarray | None
@@ -28,7 +31,8 @@ class SeenColumn:
     dates: bool = False
 
     def distinct(self) -> list[str]:
-        values = self.texts if self.numbers is None else self.numbers[np.isfinite(self.numbers)]
+        numbers = None if self.dates else self.numbers
+        values = self.texts if numbers is None else numbers[np.isfinite(numbers)]
         return [as_text(v) for v in dict.fromkeys(np.asarray(values).tolist())]
 
     def changes(self) -> list[int]:
@@ -44,8 +48,6 @@ class SeenColumn:
 
     def tells_time(self) -> bool:
         """Whether it rises from nearly every row to the next."""
-        if self.dates:
-            return True
         if self.numbers is None or self.numbers.size < 3 or not np.isfinite(self.numbers).all():
             return False
         return len(self.begins()) * SELDOM < self.numbers.size
@@ -101,10 +103,11 @@ def _of_cells(name: str, cells: Sequence[str], layout: Layout) -> SeenColumn:
             numbers[k] = layout.number(cell) if cell else np.nan
         except ValueError:
             texts += 1
-    if 2 * texts < len(cells):
+    if 2 * texts < len(cells) and np.isfinite(numbers).any():
         return SeenColumn(name, numbers, cells)
     try:
-        dates_of(cells)
+        dates = dates_of(cells)
     except ValueError:
         return SeenColumn(name, None, cells)
-    return SeenColumn(name, None, cells, dates=True)
+    seconds = np.array([(date - dates[0]).total_seconds() for date in dates])
+    return SeenColumn(name, seconds, cells, dates=True)

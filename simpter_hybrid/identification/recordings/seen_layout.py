@@ -53,28 +53,26 @@ def _as_row(line: Line) -> _Row:
         layout = Layout(decimal=decimal)
         mark = mark_of(line.text, line.text, layout)
         readers = layout.number, datetime.fromisoformat
-        holds = tuple(any(is_read(c, read) for read in readers) for c in _cells(line, mark))
+        holds = tuple(any(is_read(c, read) for read in readers) for c in cells_of(line.text, mark))
         rows.append(_Row(mark, decimal, holds))
     point, comma = rows
     better = sum(comma.holds) * len(point.holds) > sum(point.holds) * len(comma.holds)
     return comma if better else point
 
 
-def _cells(line: Line, mark: str) -> list[str]:
-    """Cells of a line, less the blank one behind a mark at its end."""
-    cells = cells_of(line.text.rstrip(), mark)
-    return cells[:-1] if len(cells) > 1 and not cells[-1].strip() else cells
-
-
 def _laid_out(above: Sequence[Line], first: Line, row: _Row) -> Layout:
     """The layout of a table whose numbers begin in `first`."""
+    count = len(row.holds)
+    # A mark at the end of rows alone makes a cell more than there are names; in a column that is
+    # seldom written the last cell is as blank.
+    more = not cells_of(first.text, row.mark)[-1].strip()
     heads = []
     for line in reversed(above):
-        if len(_cells(line, row.mark)) != len(row.holds):
+        if count - len(cells_of(line.text, row.mark)) not in (0, more):
             break
         heads.append(line)
     if not heads:
-        columns = tuple(f"c{k}" for k, _ in enumerate(row.holds, 1))
+        columns = tuple(f"c{k}" for k in range(1, count + 1))
         return Layout(rows=first.number if above else 0, decimal=row.decimal, columns=columns)
     names, between = heads[-1], len(heads) > 1
     return Layout(names.number if names is not above[0] else 0, first.number * between, row.decimal)

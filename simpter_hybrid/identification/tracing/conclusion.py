@@ -69,12 +69,12 @@ def conclude(
     little = total_share < LEAST_SHARE_IF_MUCH or (lacks and not much)
     alike = ratio > limit.form and little and _go_by_the_same(rounds)
     patched |= alike or (first.kind == "open" and not (closed and (near or much)))
-    another = total_share < LEAST_SHARE_IF_LEFT and ratio > _sure(limit) and _leaves_forces(rounds)
-    if patched or (another and not any(r.rivals or r.as_well for r in rounds if r.accepted)):
-        return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
     named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
     rivals = tuple(t for r in rounds for t in _rivals(r) if t.candidate.family not in named)
     as_well = tuple(dict.fromkeys(c for r in rounds if r.accepted for c in r.as_well))
+    another = total_share < LEAST_SHARE_IF_LEFT and ratio > _sure(limit) and _leaves_forces(rounds)
+    if patched or (another and not (rivals or as_well)):
+        return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
     if rivals or as_well:
         kind = "cannot be told apart"
     # At a floor that is known roughly what no right form leaves may be below the limit; and what
