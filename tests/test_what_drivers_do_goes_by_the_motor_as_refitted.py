@@ -2,12 +2,15 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from axis_recordings import declared_axis
 
 from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.fitting.fitted_model import Model
+from simpter_hybrid.identification.rigs.corrected import as_written
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.loads.drive import VoltageDrive
 
@@ -66,6 +69,10 @@ def test_a_dead_band_takes_no_more_than_a_limit_beside_it_leaves():
     assert model.scenario(values).effects[1].width == 4.0
     names = model.runner.names
     assert model.vector(values)[0][names["effect.2.DriveDeadband.width"]] == 4.0
+    fitted = Model(model, values, 1.0, {}, 1.0, np.zeros(0))
+    assert as_written(fitted).values == {**values, "drive-deadband.width": 4.0}
+    narrow = replace(fitted, values={**values, "drive-deadband.width": 3.0})
+    assert as_written(narrow) is narrow
 
 
 def test_a_dead_band_may_take_all_that_was_told():

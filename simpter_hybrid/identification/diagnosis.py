@@ -36,6 +36,7 @@ from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
 from .result import Diagnosis
 from .rigs.bench import Bench
+from .rigs.corrected import as_written
 from .rigs.effect_candidate import EffectCandidate
 from .rigs.own_effect import own_candidates
 from .rigs.own_effect_check import check_own
@@ -141,6 +142,7 @@ def diagnose(
     all_clear = done.verdict.kind == "nothing missing"
     if back is None:
         done = seen_held_out(done, errors.alike, found.floors, found.limit, levels)
+    done = replace(done, corrected=as_written(done.corrected))
     only_held_out = all_clear and done.verdict.kind == "lack or noise"
     return Diagnosis(
         not_cleared(done, bench.remarks), found.split, used, errors.of_channels, errors.of_all,

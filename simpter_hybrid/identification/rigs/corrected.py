@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 from ...effect import Effect
 from ...scenario import Scenario
+from ..fitting.fitted_model import Model
 from .effect_candidate import EffectCandidate
 from .motor_ties import dead_at_limits, tied_numbers
 from .scenario_predictor import REACH
@@ -82,6 +84,25 @@ def corrected_scenario(
     ties = tied_numbers(whole, known.__getitem__, lambda name: fitted.get(name, known[name]))
     whole = with_parameters(whole, {n: _of_effect(whole, n) * x for n, x in ties.items()})
     return with_parameters(whole, dead_at_limits(whole, partial(_of_effect, whole)))
+
+
+def as_written(model: Model) -> Model:
+    """The model with its effects' numbers as its scenario has them, which is what was simulated.
+
+    A dead band that was fitted wider than a limit beside it leaves is told as wide as that.
+    """
+    predictor: Any = model.predictor
+    scenario = corrected_scenario(predictor.declared, predictor.effects, model.values)
+    added = iter(scenario.effects[len(predictor.declared.effects) :])
+    told = {
+        name: float(getattr(made, field))
+        for e in predictor.effects
+        for which, made in zip(range(len(e.effects())), added, strict=False)
+        for name, field in e.fields(which)
+    }
+    if all(value == model.values[name] for name, value in told.items()):
+        return model
+    return replace(model, values={**model.values, **told})
 
 
 def _of_effect(scenario: Scenario, name: str) -> float:

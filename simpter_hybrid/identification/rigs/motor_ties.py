@@ -63,7 +63,8 @@ def follow_motor(
 def dead_at_limits(scenario: Scenario, known: Known) -> dict[str, float]:
     """Widths of dead bands that would take more than a limit beside them leaves: that limit.
 
-    Both are taken from what was told: a wider one would turn the drive round.
+    Both are taken from what was told: a wider one would turn the drive round.  A negative gain or a
+    saturation beside it still may, since each takes its own part of what was told.
     """
     if sum(isinstance(e, DriveDeadband | DriveLimit) for e in scenario.effects) < 2:
         return {}
