@@ -38,9 +38,22 @@ ASTRAY, PLAINLY = 10.0, 0.25
 #: Most others that are told beside the one with which least is left: of a motor's resistance that
 #: was declared a tenth of the true one ten times the inertia did nearly all as well.
 OTHERS = 2
-#: Last words of names of numbers to which a force is proportional, and of those that pull back.
-FORCES = ("weight", "stiffness", "stiffening", "coulomb", "viscous", "coefficient", "bias")
-PULLS = ("device.weight", "SpringForce.stiffness", "SpringForce.stiffening")
+#: Numbers, by part and field, of what pulls where an axis rests as well: forces go with each.
+PULLS = {
+    "device.weight", "SpringForce.stiffness", "SpringForce.stiffening", "EndSpring.stiffness",
+    "Imbalance.cosine", "Imbalance.sine", "RippleForce.cosine", "RippleForce.sine",
+    "TabulatedForce.weight", "BiasForce.bias", "BiasDrift.bias", "BiasDrift.rate",
+}  # fmt: skip
+#: ... and of friction and drag.
+FORCES = PULLS | {
+    "torque.coulomb", "torque.viscous", "DryDrag.level", "ViscousDrag.coefficient",
+    "QuadraticDrag.coefficient", "PowerLawDrag.level", "EddyDrag.peak",
+}  # fmt: skip
+#: ... and of loads that pull, and whose other numbers stay.
+PULLING = {
+    "PulledSpring.stiffness", "ReplayedPull.stiffness", "MovingHand.stiffness",
+    "RampOnCoordinate.base",
+}  # fmt: skip
 
 
 class FarOff(NamedTuple):
@@ -119,7 +132,7 @@ def by_its_inverse(off: FarOff, declared: Scenario) -> str:
 
     Its motion tells ratios of forces to its inertia alone: a weight too small looks like an inertia
     too large.  An inertia with a rotor's beside it that stays is only part of that, and so is a
-    force beside a weight or a spring that stays.
+    force beside a weight or a spring, or all else that pulls, if that stays.
     """
     groups = {t["name"]: t["parameters"] for t in declared.notes.get("tolerances", ())}
     numbers = groups.get(off.name, ())
@@ -128,11 +141,20 @@ def by_its_inverse(off: FarOff, declared: Scenario) -> str:
     if {*numbers} == moved_numbers(declared).keys():
         return f"all its forces {1.0 / off.times:.3g} times as declared"
     values = zip(declared.parameter_names(), declared.parameter_values(), strict=True)
-    pulls = {name for name, value in values if value and name.endswith(PULLS)}
+    kinds = {name: _kind(declared, name) for name, value in values if value}
+    pulls = {name for name, kind in kinds.items() if kind in PULLS | PULLING}
     # Of a friction beside a weight it is not so, nor of a gear or a time.
-    if pulls <= {*numbers} and all(n.split(".")[-1] in FORCES for n in numbers):
+    if pulls <= {*numbers} and all(kinds.get(n) in FORCES for n in numbers):
         return f"an inertia {1.0 / off.times:.3g} times as declared"
     return ""
+
+
+def _kind(declared: Scenario, name: str) -> str:
+    """Part and field of a number: "SpringForce.stiffness" of ``effect.1.SpringForce.stiffness``."""
+    *_, part, field = name.split(".")
+    if name.startswith("load."):
+        part = type(declared.loads[int(name.split(".")[1]) - 1]).__name__
+    return f"{part}.{field}"
 
 
 def _any_at_limit(model: Model, declared: Sequence[Parameter]) -> bool:
