@@ -52,3 +52,14 @@ def test_of_pieces_of_two_runs_it_is_told_if_it_holds_in_each(last, told):
     # Two of the 36 orders of three and three.
     words = "rises with how fast a piece moves among the pieces of each run (chance does so in 6 of"
     assert (words in said) is told
+
+
+def test_beside_runs_of_one_piece_nothing_is_told_of_pieces():
+    """Four pieces of one run rise with their speed; six other runs fall with theirs."""
+    runs = [f"a, piece {k}" for k in range(1, 5)] + [f"{road}, piece 1" for road in "bcdefg"]
+    values = (1.0, 1.1, 1.2, 1.3, 2.0, 1.8, 1.6, 1.4, 1.2, 0.9)
+    moved = dict(zip(runs, (1.0, 2.0, 3.0, 4.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0), strict=True))
+    pieces = tuple(zip(runs, values, strict=True))
+    assert goes_with_speed(RunLevels("drag", pieces, 2.4, 1.3, 0.7, speeds=moved)) is None
+    one = RunLevels("drag", pieces[:4], 2.4, 1.3, 0.7, speeds=moved)
+    assert goes_with_speed(one).tau == 1.0

@@ -20,7 +20,7 @@ PIECE = ", piece "
 class WithSpeed(NamedTuple):
     """Rank correlation of values with how fast runs move, and how often chance does as much.
 
-    `pieces`: it is one among the pieces of each run that was cut.
+    `pieces`: it is one among the pieces of each run.
     """
 
     tau: float
@@ -47,16 +47,19 @@ def goes_with_speed(levels: RunLevels) -> WithSpeed | None:
 
 
 def _within_runs(levels: RunLevels) -> WithSpeed | None:
-    """Whether in every run that was cut the values of its pieces go all one way with their speeds.
+    """Whether in every run the values of its pieces go all one way with their speeds.
 
-    Two coast-downs on other roads hide it: between them the road differs, in each the speed.
+    Two coast-downs on other roads hide it: between them the road differs, in each the speed.  Runs
+    of which one piece alone has a value show nothing of that, and may go the other way together:
+    beside them nothing is told.
     """
     cut: dict[str, list[tuple[float, float]]] = {}
     for name, level in levels.levels:
         whole, dash, _ = name.rpartition(PIECE)
-        if dash:
-            cut.setdefault(whole, []).append((levels.speeds[name], level))
-    ordered = [sorted(pieces) for pieces in cut.values() if len(pieces) > 1]
+        cut.setdefault(whole if dash else name, []).append((levels.speeds[name], level))
+    ordered = [sorted(pieces) for pieces in cut.values()]
+    if min(map(len, ordered)) < 2:
+        return None
     chance = 2.0 / prod(factorial(len(pieces)) for pieces in ordered)
     if chance >= PERHAPS or any(x[-1][0] <= FASTER * x[0][0] for x in ordered):
         return None
