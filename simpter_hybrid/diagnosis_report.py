@@ -20,7 +20,6 @@ from .identification.identifiability_request import seen_by
 from .identification.reporting.data import diagnosis_data
 from .identification.reporting.directory import MARK, check_free, put
 from .identification.reporting.next_runs import NextRun, next_runs, next_runs_csv
-from .identification.reporting.pace import not_cleared_at_another_pace
 from .identification.reporting.page import DOUBTED, TOLD, page
 from .identification.reporting.request import Request
 from .identification.reporting.sight_data import unseen
@@ -176,7 +175,6 @@ def _diagnosed(
     say(f"asking the runs held out of {'what was found' if of_best else 'every candidate'}")
     gains = held_out_gains(found.search, found.split.report, **of_best)
     stages = held_out_predictions(found)
-    found = not_cleared_at_another_pace(found, stages)
     planned = next_runs(seen, found.recording or recording)
     data = diagnosis_data(found, recording, stages, seen, trials, gains, planned)
     data["data"]["sha256"] = dict(request.digests)

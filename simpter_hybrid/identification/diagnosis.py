@@ -34,6 +34,7 @@ from .percent import percent
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
+from .reporting.pace import not_cleared_at_another_pace
 from .result import Diagnosis
 from .rigs.bench import Bench
 from .rigs.corrected import as_written
@@ -144,7 +145,7 @@ def diagnose(
         done = seen_held_out(done, errors.alike, found.floors, found.limit, levels)
     done = replace(done, corrected=as_written(done.corrected))
     only_held_out = all_clear and done.verdict.kind == "lack or noise"
-    return Diagnosis(
+    told = Diagnosis(
         not_cleared(done, bench.remarks), found.split, used, errors.of_channels, errors.of_all,
         errors.of_experiments,
         candidates=tried, experiments=bench.experiments, empirical=term, tracer=found.tracer,
@@ -155,6 +156,7 @@ def diagnose(
         recording=recording, forms=forms_beside(done, found.split, not cut_short),
         only_held_out=only_held_out,
     )  # fmt: skip
+    return not_cleared_at_another_pace(told)
 
 
 def _bench(

@@ -77,13 +77,6 @@ def _of_lack_or_noise(found: Diagnosis) -> str:
     on = depends_on(found.search.verdict.coordinates, is_straight(found))
     ratio = found.search.corrected.select_error / found.search.floor
     remark = untested(found.remarks)
-    if found.off_pace:
-        return (
-            "It cannot be told whether something is missing: the error is "
-            f"{held_out_text(found)}, {ratio:.2f} times on those that select, but half of a "
-            "straight line in positions counts for nothing, and by such lines the model goes "
-            "another way than the record."
-        )
     near = remark is not None and ratio <= found.limits.lack
     # What runs held out show, though others could not, is far from what any model would do.
     if found.only_held_out or (near and held_out(found) > most_carried_over(found)):
@@ -94,6 +87,13 @@ def _of_lack_or_noise(found: Diagnosis) -> str:
             f"nothing (on the latter the error is {ratio:.2f} times the floor{why}), but it is "
             f"{held_out_text(found)}. These may show what the others do not, or have more "
             f"noise. Let some of their kind fit or select as well{tells}."
+        )
+    if found.off_pace:
+        return (
+            "It cannot be told whether something is missing: the error is "
+            f"{held_out_text(found)}, {ratio:.2f} times on those that select, but half of a "
+            "straight line in positions counts for nothing, and by such lines the model goes "
+            "another way than the record."
         )
     if near and remark is not None:
         return (
