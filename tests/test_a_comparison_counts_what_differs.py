@@ -1,6 +1,7 @@
 """Events of two runs are paired; what is missed, invented, shifted, drifts or drives is counted."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -74,6 +75,14 @@ def test_the_same_comparison_gives_the_same_bytes():
         texts.append(json.dumps(found.as_dict()) + text_of(found))
     assert texts[0] == texts[1]
     assert "cpu" not in texts[0]
+
+
+def test_a_run_that_chatters_is_told_below_the_table():
+    found = compare(ramp(1.3), [karnopp(1e-2)])
+    busy = replace(found.runs[0], statistics={"steps": 5_000, "rejected_steps": 9_000})
+    last = text_of(replace(found, runs=(busy,))).splitlines()[-1]
+    assert last.startswith(f"{found.rows[0].name} chatters on the edge of its band: 9000 of 14000")
+    assert "chatters" not in text_of(found)
 
 
 def test_inertia_that_an_effect_adds_stores_energy_too():

@@ -128,3 +128,23 @@ def test_a_balance_that_does_not_close_is_a_failed_check(monkeypatch, capsys):
     monkeypatch.setattr(run, "BALANCE", -1.0)
     assert main(SHORT) == 1
     assert "check failed: the energy balance misses" in capsys.readouterr().err
+
+
+def test_a_clutch_that_delivers_beyond_the_tolerance_is_a_failed_check(monkeypatch, capsys):
+    from simpter_hybrid.commands import run
+    from simpter_hybrid.measuring import energy
+
+    monkeypatch.setattr(run, "DELIVERED", -1.0)
+    assert main([*SHORT, "--out", "a"]) == 1
+    assert "check failed: a clutch delivers" in capsys.readouterr().err
+    # What the solver's error in a slip explains is none.
+    monkeypatch.setattr(energy, "power_beyond_tolerance", lambda trajectory: float("-inf"))
+    assert main([*SHORT, "--out", "b"]) == 0
+
+
+def test_a_command_beyond_a_clutchs_range_is_told(monkeypatch, capsys):
+    from simpter_hybrid.measuring import command_range
+
+    monkeypatch.setattr(command_range, "beyond_range", lambda trajectory: ["clutch 1 was beyond"])
+    assert main(SHORT) == 0
+    assert "clutch 1 was beyond" in capsys.readouterr().out.splitlines()
