@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from axis_recordings import declared_axis
+from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.effects.drive_deadband import DriveDeadband
+from simpter_hybrid.identification import diagnosis
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.fitting.fitted_model import Model
@@ -80,3 +81,12 @@ def test_a_dead_band_may_take_all_that_was_told():
     tried = {c.name: c for c in drive_candidates(declared, sensed=False, force=0.1, told=11.0)}
     (width,) = tried["drive-deadband"].parameters
     assert width.upper == 11.0  # twice the friction would be 2 V
+
+
+def test_a_diagnosis_tells_the_numbers_as_they_are_written(tmp_path, monkeypatch):
+    def written(model):
+        return replace(model, values={**model.values, "width": 4.0})
+
+    monkeypatch.setattr(diagnosis, "as_written", written)
+    found = diagnosis.diagnose(recorded_axis(tmp_path, []), declared_axis(), candidates=())
+    assert found.search.corrected.values["width"] == 4.0
