@@ -7,15 +7,16 @@ from typing import Any
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
+from simpter_hybrid.identification import pace
 from simpter_hybrid.identification.axis.window_length import UNTESTED
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.recordings.checks import Finding
-from simpter_hybrid.identification.reporting import pace
 from simpter_hybrid.identification.reporting.lack_sentences import lack_sentence
 from simpter_hybrid.identification.tracing.limits import SIMULATED_AXIS
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
+OTHER = pace.OtherPace("position", 9, 0.3, 0.01)
 LINES, NONE = (
     Some(report=[Some(observed={"position": Some(lines=taken, windows=(0,))})])
     for taken in (True, False)
@@ -51,13 +52,13 @@ class Found:
 
 
 def told(monkeypatch, kind, doubt, **about):
-    monkeypatch.setattr(pace, "pace_sentence", lambda told: doubt)
+    monkeypatch.setattr(pace, "other_pace", lambda told: OTHER if doubt else None)
     monkeypatch.setattr(pace, "held_out_predictions", lambda found: None)
     return pace.not_cleared_at_another_pace(Found(Done(Verdict(kind)), **about))
 
 
 def test_it_cannot_be_told(monkeypatch):
-    found = told(monkeypatch, "nothing missing", "Is the inertia far off?")
+    found = told(monkeypatch, "nothing missing", True)
     assert found.search.verdict.kind == "lack or noise"
     said = lack_sentence(found)
     assert said.startswith("It cannot be told whether something is missing: the error is 1.030 ")
@@ -66,28 +67,28 @@ def test_it_cannot_be_told(monkeypatch):
 
 def test_nor_would_every_model_do_where_the_runs_test_none(monkeypatch):
     remarks = (Finding.of_all(UNTESTED, "1.2 times", "2"),)
-    found = told(monkeypatch, "lack or noise", "Is the inertia far off?", remarks=remarks)
+    found = told(monkeypatch, "lack or noise", True, remarks=remarks)
     said = lack_sentence(found)
     assert "the model goes another way than the record" in said
     assert "every model would do" not in said
-    same = told(monkeypatch, "lack or noise", "", remarks=remarks)
+    same = told(monkeypatch, "lack or noise", False, remarks=remarks)
     assert "nearly every model would do as well" in lack_sentence(same)
 
 
 def test_where_no_line_is_taken_nothing_is_simulated_for_it(monkeypatch):
-    found = told(monkeypatch, "nothing missing", "Is it?", split=NONE)
+    found = told(monkeypatch, "nothing missing", True, split=NONE)
     assert not found.off_pace
 
 
 @pytest.mark.parametrize(
-    ("kind", "doubt"), [("nothing missing", ""), ("effect", "Is it?"), ("lack or noise", "Is it?")]
+    ("kind", "doubt"), [("nothing missing", False), ("effect", True), ("lack or noise", True)]
 )
 def test_what_its_pace_says_nothing_of_stays(monkeypatch, kind, doubt):
     assert told(monkeypatch, kind, doubt) == Found(Done(Verdict(kind)))
 
 
 def test_a_diagnosis_asks_that_itself(tmp_path, monkeypatch):
-    monkeypatch.setattr(pace, "pace_sentence", lambda told: "Is the inertia far off?")
+    monkeypatch.setattr(pace, "other_pace", lambda told: OTHER)
     found = diagnose(recorded_axis(tmp_path, []), declared_axis(), candidates=())
     assert found.off_pace
     assert found.search.verdict.kind == "lack or noise"

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
-from simpter_hybrid.identification.reporting.pace import pace_of, pace_sentence
+from simpter_hybrid.identification.pace import pace_of
+from simpter_hybrid.identification.reporting.pace import pace_sentence
 
 TIME = 0.01 * np.arange(500)
 WINDOWS = tuple(range(0, 500, 50))

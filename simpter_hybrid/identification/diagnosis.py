@@ -30,11 +30,11 @@ from .fitting.fitted_model import Model
 from .fitting.residual import check_simulated, rms, weighted_residuals
 from .forms_beside import forms_beside
 from .late_by_record import named_by_record
+from .pace import not_cleared_at_another_pace
 from .percent import percent
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
-from .reporting.pace import not_cleared_at_another_pace
 from .result import Diagnosis
 from .rigs.bench import Bench
 from .rigs.corrected import as_written

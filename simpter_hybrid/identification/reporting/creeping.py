@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from ..held_out_predictions import HeldOutPredictions
 from ..recordings.recording import Recording
-from .window_ways import window_ways
+from ..window_ways import window_ways
 
 #: Fewest such windows, and part of all, that are told.
 FEWEST, PART = 3, 0.1

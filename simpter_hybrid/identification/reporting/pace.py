@@ -1,91 +1,21 @@
-"""How far a model goes for each step of the record, where straight lines count for nothing.
-
-Of positions alone a window's start has a speed that is known badly, and of a straight line in what
-is left half of the way is forgiven.  Starts err either way: a model that goes slower than the
-record in window after window is wrong itself, and its error says nothing of that.  Where it rests
-it goes at no pace (`creeping`).
-"""
+"""What is said of a model that goes another way than the record."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-import numpy as np
-
-from ..held_out_predictions import HeldOutPredictions, held_out_predictions
-from ..result import Diagnosis
-from ..untested import untested
-from .window_ways import window_ways
-
-#: Fewest windows in which the record goes far.
-FEWEST = 8
-#: A pace is told that is off by so much, and by so many standard errors.
-OFF, ERRORS = 0.1, 4.0
+from ..held_out_predictions import HeldOutPredictions
+from ..pace import other_pace
 
 
 def pace_sentence(told: HeldOutPredictions) -> str:
     """Sentence on a corrected model that goes another way than the record; "" if it does not."""
-    for channel in dict.fromkeys(c for replay in told.replays for c in replay.observed):
-        ways = np.array(
-            [
-                (way.gone, way.went)
-                for i, replay in enumerate(told.replays)
-                if channel in replay.observed
-                for way in window_ways(replay.observed[channel], told.after[channel][i])
-                if way.far and np.isfinite(way.went) and not way.rests
-            ]
-        ).reshape(-1, 2)
-        if len(ways) < FEWEST:
-            continue
-        pace, error = pace_of(*ways.T)
-        if abs(pace - 1.0) > max(OFF, ERRORS * error):
-            model = "corrected" if told.changed else "refitted"
-            return (
-                f"Is the inertia, or the drive's constant, far off? In {len(ways)} windows of the "
-                f"runs held out the {model} model goes {100.0 * pace:.0f} % of the way of the "
-                f"{channel} (+- {200.0 * error:.0f} %). Errors of windows' first speeds "
-                "go either way, and do not do that, but half of a straight line counts as one: "
-                "the error told is too small, and the numbers found are not to be trusted. Log the "
-                "speed as well."
-            )
-    return ""
-
-
-def not_cleared_at_another_pace(found: Diagnosis) -> Diagnosis:
-    """The diagnosis whose all-clear is none where its error says nothing of the model's pace.
-
-    Nor is it one then that nearly every model would do as well.
-    """
-    seen = (one for replay in found.split.report for one in replay.observed.values())
-    # Only where straight lines are taken are the runs held out simulated for it.
-    if not _near_the_floor(found) or not any(one.lines and one.windows for one in seen):
-        return found
-    if not pace_sentence(held_out_predictions(found)):
-        return found
-    done = found.search
-    unsure = replace(done, verdict=replace(done.verdict, kind="lack or noise"))
-    return replace(found, search=unsure, off_pace=True)
-
-
-def _near_the_floor(found: Diagnosis) -> bool:
-    """Whether the verdict is an all-clear, or is none only because the runs test no model."""
-    done = found.search
-    near = done.corrected.select_error <= found.limits.lack * done.floor
-    no_test = near and untested(found.remarks) is not None
-    kind = done.verdict.kind
-    return kind == "nothing missing" or (kind == "lack or noise" and no_test)
-
-
-def pace_of(seen: np.ndarray, model: np.ndarray) -> tuple[float, float]:
-    """Way of the model for each of the record, and its standard error.
-
-    Parameters
-    ----------
-    seen, model : ndarray (windows,)
-        How far they go [SI].
-    """
-    square, both = float(seen @ seen), float(model @ seen)
-    # Without each window in turn: one that goes far fits itself.
-    without = (both - model * seen) / (square - seen**2)
-    count = seen.size
-    return both / square, float(np.sqrt((count - 1) * np.var(without)))
+    if (found := other_pace(told)) is None:
+        return ""
+    model = "corrected" if told.changed else "refitted"
+    return (
+        f"Is the inertia, or the drive's constant, far off? In {found.windows} windows of the "
+        f"runs held out the {model} model goes {100.0 * found.pace:.0f} % of the way of the "
+        f"{found.channel} (+- {200.0 * found.error:.0f} %). Errors of windows' first speeds "
+        "go either way, and do not do that, but half of a straight line counts as one: "
+        "the error told is too small, and the numbers found are not to be trusted. Log the "
+        "speed as well."
+    )

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..fitting.replay import Observation
+from .fitting.replay import Observation
 
 #: A record goes far by so many deviations of the means of a window's first and last quarter.
 FAR = 8.0
