@@ -57,7 +57,7 @@ def test_a_draft_is_refused_with_all_that_was_not_filled_in(tmp_path):
 
 def test_the_column_that_changes_where_the_time_begins_anew_is_pointed_at(tmp_path):
     text = draft_map(recorded(tmp_path / "rec.csv"))
-    assert "#   take: 1, 2; changes 1 times, wherever the time begins anew" in text
+    assert "#   take: 1, 2; changes once, wherever the time begins anew" in text
 
 
 def test_what_stands_above_the_numbers_and_a_decimal_comma_are_seen(tmp_path):

@@ -22,6 +22,11 @@ NAMELESS = ".npy"
 BROKEN = (IndexError, KeyError, TypeError, RuntimeError, NotImplementedError)
 
 
+def holds_arrays(source: str) -> bool:
+    """Whether a file is one of named arrays, by its ending."""
+    return source.lower().endswith((*ENDINGS, NAMELESS))
+
+
 def read_arrays(source: str) -> Mapping[str, np.ndarray]:
     """All arrays of a file by name, one-dimensional where they are columns.
 

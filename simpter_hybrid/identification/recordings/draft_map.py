@@ -100,7 +100,7 @@ def _steps(time: SeenColumn) -> str:
     if time.numbers is None:
         return ""
     steps, begins = np.diff(time.numbers), len(time.begins())
-    again = f", begins anew {begins} times" if begins else ""
+    again = f", begins anew {_times(begins)}" if begins else ""
     unit = " s" if time.dates else ""
     return f", mostly in steps of {np.median(steps[steps > 0.0]):.4g}{unit}{again}"
 
@@ -114,10 +114,10 @@ def _runs(runs: Sequence[SeenColumn], time: SeenColumn | None) -> list[str]:
     if not runs:
         begins = len(time.begins()) if time is not None else 0
         note = "# every file is one run: no column tells runs apart"
-        more = f", but {begins} times the time begins anew: save each run as a file"
+        more = f", but {_times(begins)} the time begins anew: save each run as a file"
         return ["", note + more * bool(begins), ""]
     seen = [
-        f"#   {c.name}: {_listed(c)}; changes {len(c.changes())} times"
+        f"#   {c.name}: {_listed(c)}; changes {_times(len(c.changes()))}"
         + ", wherever the time begins anew" * _new(c, time)
         for c in runs
     ]
@@ -164,6 +164,10 @@ def _listed(column: SeenColumn) -> str:
     values = column.distinct()
     more = f" ... ({len(values)} values)" if len(values) > LISTED else ""
     return ", ".join(values[:LISTED]) + more
+
+
+def _times(count: int) -> str:
+    return "once" if count == 1 else f"{count} times"
 
 
 def _noted(key: str, note: str) -> str:

@@ -14,7 +14,7 @@ import numpy as np
 
 from ...files.special import not_a_file
 from ...problems import InvalidInput, Problem
-from .arrays import ENDINGS, NAMELESS, read_arrays
+from .arrays import ENDINGS, holds_arrays, read_arrays
 from .clock import added_up, counted
 from .columns import Columns, Places
 from .layout import DATES
@@ -41,7 +41,7 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
     """
     source = str(data)
     with as_problems(source):
-        if source.lower().endswith((*ENDINGS, NAMELESS)):
+        if holds_arrays(source):
             return _from_arrays(source, read_arrays(source), described)
         return read_text(source, described)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arrays import ENDINGS, NAMELESS, read_arrays
+from .arrays import holds_arrays, read_arrays
 from .columns import as_text
 from .files import as_problems
 from .layout import Layout, dates_of
@@ -70,7 +70,7 @@ def seen_columns(source: str) -> tuple[Layout, list[SeenColumn]]:
         If the file cannot be read.
     """
     with as_problems(source):
-        if source.lower().endswith((*ENDINGS, NAMELESS)):
+        if holds_arrays(source):
             return Layout(), _of_arrays(read_arrays(source))
         layout = seen_layout(source)
         return layout, _of_text(source, layout)
