@@ -106,3 +106,17 @@ def as_well(coordinates: Sequence[str], straight: bool = False) -> str:
     if len(others) < len(coordinates):
         said.append("whatever differs from run to run")
     return " or ".join(said)
+
+
+def hardly_left_text(found: Any, on: str) -> str:
+    """Words on what goes along with coordinates where no more than noise is left."""
+    last = found.search.rounds[-1]
+    left = last.after if last.verdict.accepted is not None else last.before
+    parts = [
+        d.gain
+        for balance, dependences in left.items()
+        for d in dependences
+        if f"{balance}:{d.coordinate}" in found.search.verdict.coordinates
+    ]
+    much = f" ({100 * max(parts):.1f} % of its mean square)" if parts else ""
+    return f" What is left is noise but for a little{much} that goes along with {on}."

@@ -16,7 +16,7 @@ from ..tracing.named import balance_of, coordinate_of
 from ..tracing.ringing import RINGING, line
 from ..tracing.slow_state import RUN
 from ..tracing.verdict import GROWING, LACKING
-from .dependence_text import OF_BOTH, as_well, depends_on, is_straight
+from .dependence_text import OF_BOTH, as_well, depends_on, hardly_left_text, is_straight
 from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence, noise_left_text
 from .level_sentences import levels_text
@@ -107,7 +107,7 @@ def _named(found: Diagnosis) -> str:
             f"The model lacks {text}; {whose} (the error {stays} {ratio:.2f} "
             f"times the floor on the runs that select, {held}){left}.{noise}"
         )
-    rest = f" A little that is left goes along with {on}." if verdict.coordinates else ""
+    rest = hardly_left_text(found, on) if verdict.coordinates else ""
     return f"The model lacks {text}; with it the error is {held}.{rest}{far}"
 
 
