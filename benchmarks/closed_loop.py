@@ -26,7 +26,7 @@ from simpter_hybrid.plots.style import png
 from simpter_hybrid.rigs.inputs import Inputs
 from simpter_hybrid.rigs.line import line
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.studies.page import section
+from simpter_hybrid.studies.page import section, table_lines
 from simpter_hybrid.studies.study import Study, Table
 from simpter_hybrid.studies.variants import (
     ABOUT,
@@ -43,13 +43,19 @@ PRACTICE = ("hyst", "slewsat", "stribeck")
 DECLARED = "as declared"
 LAG = "time constant"
 CLUTCHES = 4
+ABOUT_PAGE = (
+    "Each of these synthetic recordings of the thesis's testbed (one clutch) holds one effect that "
+    "the declared model lacks. `simpter diagnose` is run on the recording, and then once more with "
+    "the corrected model that it wrote. After that, the effect that was found is put on all four "
+    "clutches of PTER, and the thesis's line y = 24 in is run with it and without it."
+)
 LEFT_OUT = (
-    "The refit of what is declared is not carried over: its factors are those of one specimen, "
-    "here of a synthetic testbed, while the linkage's clutches keep (39) and (43) as printed and a "
-    "time constant drawn from its plausible range. So a variant and its reference differ by the "
-    "effect alone; only of an effect that takes the place of a part of the lag (a slew limit) the "
-    "time constant's factor comes along. The effect's size was fitted beside those factors: on "
-    "other clutches it is an example of such an effect, not a measurement of theirs."
+    "The effect has the size that was fitted on the testbed. The factors in the table above are "
+    "not carried over: they belong to one specimen, while the clutches of the linkage keep (39) "
+    "and (43) as printed, and a time constant drawn from its plausible range. So two runs of a "
+    "pair differ by the effect alone. (A slew limit takes the place of a part of the lag: with it, "
+    "the factor on the time constant comes along.) On these clutches the effect is an example, not "
+    "a measurement of theirs."
 )
 SIZE = 24
 
@@ -112,17 +118,16 @@ def study(loops: dict[str, Loop], size: int) -> Study:
     )
     names = [name for name in variants if name != DECLARED]
     told = tuple(
-        f"{name}: error less than as declared for {verdict(found, name, DECLARED, 'error')}; jerk "
-        f"for {verdict(found, name, DECLARED, 'jerk')}."
+        f"With {name}, the error is smaller in this share of the pairs: "
+        f"{verdict(found, name, DECLARED, 'error')}; the jerk in: "
+        f"{verdict(found, name, DECLARED, 'jerk')}."
         for name in names
     )
     return Study(
         "The loop closed: what a found effect changes in the thesis's scenario",
         "thesis 4 and 5; synthetic recordings of the testbed (practice files)",
-        ABOUT.format(size=size) + " The recordings are synthetic. What a diagnosis found on the "
-        "testbed's clutch is put on all four clutches of the linkage, with the values fitted. "
-        + LEFT_OUT,
-        (ladder(loops), refits(loops), comparison(found, DECLARED, "On the line")),
+        f"{ABOUT.format(size=size)} {LEFT_OUT}",
+        (comparison(found, DECLARED, "On the line, nominal inputs, and over all pairs"),),
         told,
         {"ratios": ratios(found, DECLARED)},
         ratio_picture(found, DECLARED, "Corrected models, against the one declared"),
@@ -144,9 +149,16 @@ def ladder(loops: dict[str, Loop]) -> Table:
             )
         )
     return Table(
-        "Diagnosis of the declared model, "
-        "errors on reported runs in noise deviations, and diagnosis of the corrected model",
-        ("recording", "first", "declared", "refitted", "after", "floor", "again"),
+        "Errors are of runs held out, in units of the noise",
+        (
+            "recording",
+            "diagnosis of the declared model",
+            "declared",
+            "refitted",
+            "after",
+            "floor",
+            "diagnosis of the corrected model",
+        ),
         tuple(rows),
     )
 
@@ -159,7 +171,7 @@ def refits(loops: dict[str, Loop]) -> Table:
         values = loop.found.search.corrected.values
         rows.append((file, *(f"{values[name]:.3f}" for name in names)))
     return Table(
-        "Factors on the testbed's declared parameters beside the effect",
+        "The corrected model also has these factors on what was declared",
         ("recording", *names),
         tuple(rows),
     )
@@ -170,13 +182,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--size", type=int, default=SIZE, help="sets of plausible inputs")
     args = parser.parse_args()
-    made = study({file: closed(file) for file in PRACTICE}, args.size)
+    loops = {file: closed(file) for file in PRACTICE}
+    made = study(loops, args.size)
     assert made.picture is not None
     (DOCS / "closed-loop.png").write_bytes(png(made.picture()))
     size = "" if args.size == SIZE else f" --size {args.size}"
-    head = [f"# {made.title}", "", f"Made by `python benchmarks/closed_loop.py{size}`.", ""]
-    text = "\n".join([*head, *section(made, "closed-loop.png")])
-    (DOCS / "closed-loop.md").write_text(text, encoding="utf-8")
+    lines = [
+        f"# {made.title}", "", f"Made by `python benchmarks/closed_loop.py{size}`.", "",
+        ABOUT_PAGE, "", "## Found, corrected, diagnosed again", "",
+        *table_lines(ladder(loops)), *table_lines(refits(loops)),
+        "## What the effect changes on the line", "", *section(made, "closed-loop.png"),
+    ]  # fmt: skip
+    (DOCS / "closed-loop.md").write_text("\n".join(lines), encoding="utf-8")
 
 
 if __name__ == "__main__":

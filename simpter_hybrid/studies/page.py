@@ -136,11 +136,15 @@ def section(study: Study, picture: str) -> list[str]:
         lines += ["", f"![{study.caption}]({picture})", "", study.caption]
     lines += ["", study.setup, ""]
     for table in study.tables:
-        lines += [f"{table.caption}:", "", "| " + " | ".join(table.columns) + " |"]
-        lines.append("|" + "---|" * len(table.columns))
-        lines += ["| " + " | ".join(row) + " |" for row in table.rows]
-        lines.append("")
+        lines += table_lines(table)
     return lines
+
+
+def table_lines(table: Table) -> list[str]:
+    """A table under its caption as lines of Markdown."""
+    head = ["| " + " | ".join(table.columns) + " |", "|" + "---|" * len(table.columns)]
+    rows = ["| " + " | ".join(row) + " |" for row in table.rows]
+    return [f"{table.caption}:", "", *head, *rows, ""]
 
 
 def as_text(name: str, study: Study) -> str:
