@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -96,6 +97,7 @@ OTHERS = {
     "press-scale": "What presses acts more or less than declared, and from another zero.",
     "motor-constant": "The motor has another torque constant (and back-EMF) than declared.",
     "motor-resistance": "The motor has another resistance than declared (when warm, say).",
+    "dry-friction": "Coulomb friction where the declared model has none.",
     "drive-coasting": "A motor's driver that opens its ends between pulses: less back-EMF.",
     "command-delay": "A supply that does what it is told after a dead time.",
     "weight-dependent": "Friction that grows with what gravity and springs load, as a bearing's.",
@@ -143,7 +145,10 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     slides = axis_candidates(AxisSizes(1.0, 1.0, 1.0, 1.0, 1.0, False, 0.0, 1.0))
     axis = (*axis, *(c for c in slides if c.name not in known))
     rotor, slide = (load(str(find_model(name))) for name in ("testbed", "emps"))
-    axis = with_friction_scale(axis, slide)
+    axis = with_friction_scale(axis, slide, 1.0)
+    law = replace(slide.clutches[0].torque, coulomb=0.0)
+    bare = slide.replace(clutches=(replace(slide.clutches[0], torque=law),))
+    axis = (*axis, *with_friction_scale((), bare, 1.0))
     told = [load(str(find_model(name))) for name in ("emps", "bam_xl330")]
     told[1] = with_pulses(told[1], np.array([5.0]))
     driven = [

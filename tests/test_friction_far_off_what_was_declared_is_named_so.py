@@ -1,12 +1,10 @@
 """A joint that rubs more than its tolerance allows lacks no effect: its declared value is off."""
 
-from dataclasses import replace
-
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.files.scenario_file import load
-from simpter_hybrid.identification.axis.candidates import FRICTION_SCALE, with_friction_scale
+from simpter_hybrid.identification.axis.candidates import FRICTION_SCALE
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.fitted_model import Trial
@@ -84,10 +82,3 @@ def test_another_torque_with_the_slip_torque_refitted_back_is_no_rival_of_anothe
     trials[2] = Trial(known["torque-scale"], None, 0.4999, 0.5001, 1.0)
     assert best_form(trials).candidate.name == "dwell-breakaway"
     assert best_form(trials[1:]).candidate.name == "breakaway-scale"
-
-
-def test_friction_that_is_declared_to_be_none_has_no_other_scale():
-    declared = declared_axis()
-    smooth = replace(declared.clutches[0].torque, coulomb=0.0)
-    none = replace(declared, clutches=(replace(declared.clutches[0], torque=smooth),))
-    assert with_friction_scale((), none) == ()

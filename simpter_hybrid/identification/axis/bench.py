@@ -149,7 +149,7 @@ def _library(
     met = {side: end_met(replays, side) for side in (1.0, -1.0)}
     known = axis_candidates(sizes, waves, swung(declared, replays), met, pulls_back(declared))
     warmed = temperature_candidates(declared, replays, sizes.force, sizes.speed)
-    scaled = with_friction_scale(known + warmed, declared)
+    scaled = with_friction_scale(known + warmed, declared, sizes.force)
     found = *scaled, *of_what_presses(declared, replays)
     return tuple(_or_a_sensor(c, driven, pulls_back(declared)) for c in found)
 

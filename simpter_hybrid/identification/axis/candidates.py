@@ -6,8 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
+from ...laws.axis_friction import CoulombViscous
 from ...scenario import Scenario
-from ..rigs.declared_off import with_scale
+from ..fitting.predictor import Parameter
+from ..rigs.declared_off import TORQUE_SCALE, scaled_numbers, with_scale
 from ..rigs.effect_candidate import EffectCandidate
 from ..tracing.named import coordinate_of
 from .force_candidates import drags, of_ends, of_load, of_place, of_turns, of_weight
@@ -25,6 +27,8 @@ from .wave_candidates import any_wave
 
 #: The name of dry friction off its declared size, where no clutch is switched.
 FRICTION_SCALE = "friction-scale"
+#: ... and of dry friction where none is declared, of which no factor makes any.
+DRY_FRICTION = "dry-friction"
 #: Effect -> the experiment that tells it from others, where no motion of the axis does.
 OTHERWISE = {
     "added-inertia": "The same runs with a known mass added.",
@@ -96,11 +100,31 @@ def of_axis(experiment: str, turning: bool) -> str:
 
 
 def with_friction_scale(
-    library: Sequence[EffectCandidate], declared: Scenario
+    library: Sequence[EffectCandidate], declared: Scenario, force: float
 ) -> tuple[EffectCandidate, ...]:
-    """The library, and dry friction that is off what was declared by more than its tolerance."""
+    """The library, and dry friction that is off what was declared by more than its tolerance.
+
+    Where none is declared it is looked for up to twice `force` [N or N m].
+    """
     where, test = ("force:direction", "force:slip_velocity"), "A slow sweep both ways."
-    return with_scale(library, declared, FRICTION_SCALE, 10.0, where, test)
+    scaled = with_scale(library, declared, FRICTION_SCALE, 10.0, where, test)
+    laws = [clutch.torque for clutch in declared.clutches]
+    bare = [k for k, law in enumerate(laws, 1) if isinstance(law, CoulombViscous)]
+    if not bare or scaled_numbers(declared, *range(len(laws))):
+        return scaled
+    turning = "length" not in declared.device.coordinate_dimensions
+    own = f"{DRY_FRICTION}.level"
+    level = Parameter(own, 0.0, 0.0, 2.0 * force, 0.02 * force, unit="N m" if turning else "N")
+    dry = EffectCandidate(
+        DRY_FRICTION, (level,), ((0.1 * force,), (0.5 * force,)), TORQUE_SCALE, "friction", where,
+        test, sizes=(own,), shifts=((own, f"clutch.{bare[0]}.torque.coulomb", 1.0),),
+    )  # fmt: skip
+    # On runs that go one way alone, friction of one direction does what that of both does.
+    one_way = (
+        replace(c, contains=(*c.contains, DRY_FRICTION)) if c.name == "asymmetry-level" else c
+        for c in scaled
+    )
+    return (*one_way, dry)
 
 
 def of_one_balance(one: EffectCandidate) -> EffectCandidate:

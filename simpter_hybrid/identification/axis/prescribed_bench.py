@@ -72,7 +72,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     met = {side: end_met(fitted, side, balance) for side in (1.0, -1.0)}
     sizes = sizes_of(fitted, force, inertia, turning)
     effects = axis_candidates(sizes, waves, met=met, pulled=pulls_back(declared))
-    tried = with_friction_scale(tuple(map(_or_the_sensor, effects)), declared)
+    tried = with_friction_scale(tuple(map(_or_the_sensor, effects)), declared, force)
     least = by_smoothing(fitted, recording)
     late = (
         replace(c, least=least, starts=LATE) if c.family == "drive timing" else c
