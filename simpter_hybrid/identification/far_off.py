@@ -12,13 +12,13 @@ from ..checks.validation import validate
 from ..problems import InvalidInput
 from ..scenario import Scenario
 from .doubted_channels import HALF
-from .fitting.farther import best_along
+from .fitting.farther import best_along, halved_along
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Model, Split
 from .fitting.predictor import Parameter
 from .fitting.replay import Replay
 from .fitting.residual import errors_by_experiment, rms
-from .numbers_instead import moved_numbers
+from .numbers_instead import HALVED, OFF, moved_numbers, number_instead
 from .rigs.effect_candidate import EffectCandidate
 from .tracing.limits import IMPERFECT
 from .tracing.rivals import FAR_WORSE
@@ -68,12 +68,15 @@ class FarOff(NamedTuple):
         Part of the refitted model's error on the selecting runs that is left with it.
     others : tuple of FarOff
         Other numbers with which, one at a time, no more than `FAR_WORSE` times that is left.
+    known : bool
+        Whether a tolerance of it is declared.
     """
 
     name: str
     times: float
     left: float
     others: tuple[FarOff, ...] = ()
+    known: bool = True
 
 
 def first_far_off(
@@ -110,14 +113,16 @@ def far_off(done: SearchResult, split: Split, least: float) -> FarOff | None:
     Less than half of the refitted model's error, and about as little as with all effects that were
     found.  Asked one number at a time, for a gain of all of them shows in no motion; only where the
     refitted model leaves more than the error `least`, and no effect explains that plainly, with
-    all numbers within their limits.
+    all numbers within their limits.  A mass or an inertia of one axis is asked without a tolerance,
+    too.
     """
     model = done.refitted
     declared = [p for p in model.predictor.parameters if np.isfinite(p.tolerance)]
     plain = done.verdict.kind == "effect" and not _any_at_limit(done.corrected, declared)
     if plain or model.select_error <= least:
         return None
-    asked = (_without_tolerance(model, p, split) for p in declared)
+    asked = [_without_tolerance(model, p, split) for p in declared]
+    asked += [_untold(model, name, split) for name in _moved_untold(model.predictor)]
     ranked = sorted((one for one in asked if one is not None), key=lambda o: o.left)
     most = min(HALF, IMPERFECT * done.corrected.select_error / model.select_error)
     if not ranked or ranked[0].left >= most:
@@ -135,7 +140,7 @@ def by_its_inverse(off: FarOff, declared: Scenario) -> str:
     force beside a weight or a spring, or all else that pulls, if that stays.
     """
     groups = {t["name"]: t["parameters"] for t in declared.notes.get("tolerances", ())}
-    numbers = groups.get(off.name, ())
+    numbers = groups.get(off.name, ()) if off.known else (off.name,)
     if not numbers:
         return ""
     if {*numbers} == moved_numbers(declared).keys():
@@ -157,6 +162,24 @@ def _kind(declared: Scenario, name: str) -> str:
     return f"{part}.{field}"
 
 
+def _moved_untold(predictor: Any) -> tuple[str, ...]:
+    """Masses and inertias of one axis of which no tolerance is declared."""
+    declared: Scenario = predictor.declared
+    told = {n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]}
+    if declared.device.n != 1:  # of several a robot's candidates ask
+        return ()
+    return tuple(
+        n for n in moved_numbers(declared) if n not in told and n in predictor.runner.names
+    )
+
+
+def _untold(model: Model, name: str, split: Split) -> FarOff | None:
+    """What is left with a number free that has no tolerance; None if it stays near."""
+    found = number_instead(model.predictor, name, model.values, split.fit, split.select)
+    near = max(found.times, 1.0 / found.times) <= OFF
+    return None if near else FarOff(name, found.times, found.left, known=False)
+
+
 def _any_at_limit(model: Model, declared: Sequence[Parameter]) -> bool:
     """Whether a declared number was refitted as far as it may be: another may be off."""
     inside = ((p, 1e-3 * (p.upper - p.lower)) for p in declared)
@@ -172,7 +195,7 @@ def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | Non
     predictor: Any = model.predictor
     fitter = _fitter(predictor, split.fit, model.unit, p, p.value)
     begun, at = min(_begun(fitter, model, p), key=lambda one: _cost(one[1]))
-    if not 1.0 / TIMES < begun[p.name] / p.value < TIMES:
+    if not HALF < begun[p.name] / p.value < 1.0 / HALF:  # steps of a fit go with its size
         fitter = _fitter(predictor, split.fit, model.unit, p, begun[p.name])
     values = fitter.fit(begun, iterations=8, at=at).values
     times = values[p.name] / p.value
@@ -200,6 +223,8 @@ def _fitter(
 def _begun(fitter: Fitter, model: Model, p: Parameter):
     """The best of other values, all else as refitted or as declared, with its residuals.
 
+    Far off a residual counts up to a limit alone, so that the way there tells nothing.
+
     Where one number is far off a refit may have driven all others to their limits.
     """
     for values in (model.values, {q.name: q.value for q in fitter.predictor.parameters}):
@@ -207,6 +232,8 @@ def _begun(fitter: Fitter, model: Model, p: Parameter):
         found = best_along(fitter, values, at, [p], _times(TRIED))
         if _cost(found[1]) > HALF**2 * _cost(at):
             found = best_along(fitter, *found, [p], _times(PREFIXES))
+        if _cost(found[1]) > HALF**2 * _cost(at):
+            found = halved_along(fitter, *found, p, (*TRIED, *PREFIXES), HALVED)
         yield found
 
 

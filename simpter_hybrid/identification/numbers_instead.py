@@ -4,14 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
-from itertools import pairwise
-from math import sqrt
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from ..scenario import Scenario
-from .fitting.farther import best_along
+from .fitting.farther import best_along, halved_along
 from .fitting.fit import WIDE, Fitter
 from .fitting.predictor import Parameter
 from .fitting.replay import Replay
@@ -109,11 +105,10 @@ def numbers_instead(
     most : float
         Part of the refitted model's error on `replays`.
     """
-    error = rms(weighted_residuals(predictor, fitted, replays))
     found = [
         one
         for name in _asked(predictor)
-        if (one := _refitted(predictor, name, fitted, runs, replays, error)).left <= most
+        if (one := number_instead(predictor, name, fitted, runs, replays)).left <= most
         and max(one.times, 1.0 / one.times) > OFF
     ]
     return tuple(sorted(found, key=lambda one: one.left))
@@ -126,15 +121,14 @@ def _asked(predictor: Any) -> Iterator[str]:
     return (name for name in numbers if name in known)
 
 
-def _refitted(
+def number_instead(
     predictor: Any,
     name: str,
     fitted: Mapping[str, float],
     runs: Sequence[Replay],
     replays: Sequence[Replay],
-    error: float,
 ) -> NumberInstead:
-    """What is left with one number free, begun from the best of many values."""
+    """One number, begun from the best of many values; its name, and all else as above."""
     number = f"{name} instead"
 
     def freed(about: float) -> Fitter:
@@ -153,6 +147,7 @@ def _refitted(
     # A refit may have driven all other numbers far, in place of this one.
     nominal = {p.name: p.value for p in predictor.parameters}
     values = min(map(begun, (fitted, nominal)), key=lambda fit: fit.cost).values
+    error = rms(weighted_residuals(predictor, fitted, replays))
     left = rms(weighted_residuals(freed(1.0).predictor, values, replays)) / error
     alone = (t for t in predictor.declared.notes.get("tolerances", ()) if t["parameters"] == [name])
     own = next((t["name"] for t in alone), "")
@@ -165,17 +160,7 @@ def _best_factor(fitter: Fitter, begin: Mapping[str, float]) -> tuple[Mapping[st
     The number that is free is the fitter's last, a share.
     """
     free = fitter.parameters[-1]
-
-    def best(values: Mapping[str, float], at: np.ndarray, factors: Sequence[float]):
-        return best_along(fitter, values, at, [free], lambda p, x: [t - 1.0 for t in factors])
-
-    values, at = best(begin, fitter.residuals(begin), TRIED)
-    known = sorted((1.0, *TRIED))
-    for _ in range(HALVED):
-        factor = 1.0 + values[free.name]
-        k = int(np.argmin(np.abs(np.log(np.divide(known, factor)))))
-        between = [sqrt(a * b) for a, b in pairwise(known)]
-        halves = between[max(k - 1, 0) : k + 1]
-        values, at = best(values, at, halves)
-        known = sorted((*known, *halves))
-    return values, at
+    begun = best_along(
+        fitter, begin, fitter.residuals(begin), [free], lambda p, x: [t - 1.0 for t in TRIED]
+    )
+    return halved_along(fitter, *begun, free, TRIED, HALVED, about=1.0)

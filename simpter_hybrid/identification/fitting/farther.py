@@ -6,9 +6,11 @@ stiffness shifts a phase), and a linear step finds the bottom of the one that it
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 
 import numpy as np
 
@@ -195,6 +197,46 @@ def best_along(
             if (new := float(there @ there)) < cost:
                 values, at, cost = moved, there, new
     return values, at
+
+
+def halved_along(
+    fitter: Fitter,
+    values: Mapping[str, float],
+    at: np.ndarray,
+    p: Parameter,
+    factors: Sequence[float],
+    times: int,
+    about: float = 0.0,
+) -> tuple[Mapping[str, float], np.ndarray]:
+    """Least sum of squares at ever nearer factors between the one there and its neighbours.
+
+    Parameters
+    ----------
+    fitter, values, at
+        As in `best_along`.
+    p : Parameter
+        Its value is a multiple of its declared one, less `about`.
+    factors : sequence of float
+        Those that have been tried, of the declared value (1 if that is 0).
+    times : int
+        How often intervals are halved, by the logarithm.
+    about : float
+        1 of a share, which is 0 where nothing is off.
+    """
+    unit, known = p.value or 1.0, sorted({1.0, *factors})
+    for _ in range(times):
+        factor = values[p.name] / unit + about
+        k = int(np.argmin(np.abs(np.log(np.divide(known, factor)))))
+        between = [math.sqrt(a * b) for a, b in pairwise(known)]
+        halves = between[max(k - 1, 0) : k + 1]
+        tried = {p.name: [unit * (x - about) for x in halves]}
+        values, at = best_along(fitter, values, at, [p], partial(_among, tried))
+        known = sorted((*known, *halves))
+    return values, at
+
+
+def _among(tried: Mapping[str, list[float]], p: Parameter, value: float) -> list[float]:
+    return tried[p.name]
 
 
 def _round_about(p: Parameter, value: float) -> list[float]:

@@ -118,8 +118,9 @@ def far_off_sentence(off: FarOff | None, inverse: str = "") -> str:
         f"declared {percent(one.left)}"
         for one in off.others
     )
+    than = "farther off than its tolerance says" if off.known else "far off"
     return (
-        "Is a declared number farther off than its tolerance says? With "
+        f"Is a declared number {than}? With "
         f"{off.name} {off.times:.3g} times as declared {percent(off.left)} of the refitted "
         f"model's error is left{others}."
         + f" Nothing drives the axis, so only ratios of its forces to its inertia are known: "
