@@ -16,6 +16,8 @@ from ..units import unit_size
 SPEEDS = (0.0, 1e-6, 0.01, 0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 5.0, 10.0, 20.0)
 #: Excitations in each pass; the second pass looks closer at the worst place of the first.
 STEPS = 400
+#: What a direction changes in a map shows in these of what it may ask for.
+SIGNED = {"direction", "slip"}
 
 
 class LawFinding(NamedTuple):
@@ -29,7 +31,7 @@ class LawFinding(NamedTuple):
 def check_law(
     law: TorqueLaw, full_scale: float, units: tuple[str, str] = ("rad/s", "N m")
 ) -> list[LawFinding]:
-    """Findings about a map from 0 V to ``full_scale`` [V] and at speeds up to 20 rad/s (or m/s).
+    """Findings about a map from 0 V to ``full_scale`` [V], at up to 20 rad/s (or m/s) both ways.
 
     ``units`` are those of slip speed and torque: of a slide m/s, and N of a friction force.
 
@@ -70,35 +72,40 @@ def _judged(law: TorqueLaw, full_scale: float, units: tuple[str, str]) -> list[L
     except UnjudgedError:
         return []
 
-    def gap(v: float, _speed: float) -> float:
-        return breakaway(v) - slip(v, 0.0)
+    def gap(v: float, slow: float) -> float:
+        return breakaway(v, slow) - slip(v, slow)
 
+    asked = {name for function in law.functions().values() for name in arguments_of(function)}
+    ways = (1.0, -1.0) if asked & SIGNED - set(law.parameters()) else (1.0,)
+    slips = [math.copysign(speed, way) for way in ways for speed in SPEEDS]
+    slow = [math.copysign(0.0, way) for way in ways]
     scale = 0.0
     grid = [full_scale * k / STEPS for k in range(STEPS + 1)]
     for v in grid:
-        for speed in SPEEDS:
-            for name, value in (("slip", _of(slip, v, speed)), ("break", _of(breakaway, v))):
+        for w in slips:
+            at_rest = math.copysign(0.0, w)
+            for name, value in (("slip", _of(slip, v, w)), ("break", _of(breakaway, v, at_rest))):
                 if not isinstance(value, float):
-                    return [_broken(name, v, speed, value, units)]
+                    return [_broken(name, v, w, value, units)]
                 scale = max(scale, abs(value))
     found = []
     per, unit = units
     word = surface_word(unit)
-    low, v, speed = _least(slip, grid, SPEEDS)
+    low, v, w = _least(slip, grid, slips)
     if low < -1e-12 * scale:
         found.append(
             LawFinding(
                 f"the slip {word} is negative",
-                f"{_told(low, unit)} at {v:.6g} V and {speed:g} {per}",
+                f"{_told(low, unit)} at {v:.6g} V and {abs(w):g} {per}{_way(w)}",
                 f"a slip {word} of at least 0 from 0 V to full scale, at all speeds",
             )
         )
-    low, v, _ = _least(gap, grid, (0.0,))
+    low, v, w = _least(gap, grid, slow)
     if low < -1e-12 * scale:
         found.append(
             LawFinding(
                 f"the breakaway {word} is below the slip {word}",
-                f"{_told(breakaway(v), unit)} < {_told(slip(v, 0.0), unit)} at {v:.6g} V",
+                f"{_told(breakaway(v, w), unit)} < {_told(slip(v, w), unit)} at {v:.6g} V{_way(w)}",
                 f"a breakaway {word} of at least the slip {word} at zero speed",
             )
         )
@@ -117,19 +124,20 @@ def _callables(law: TorqueLaw) -> tuple[Callable, Callable]:
     functions = law.functions()
     numbers = [*law.parameters().values(), *law.table()]
     base: dict[str, object] = {
-        **law.parameters(), "p": numbers, "table_at": len(law.parameters()), "direction": 1.0,
-        "time": 0.0, "t": 0.0,
+        **law.parameters(), "p": numbers, "table_at": len(law.parameters()), "time": 0.0, "t": 0.0,
     }  # fmt: skip
 
     def bound(name: str) -> Callable:
         function = functions[name]
         names = arguments_of(function)
-        offered = {*base, "excitation", "effective", "speed", "slip"}
+        offered = {*base, "excitation", "effective", "speed", *SIGNED}
         if not set(names) <= offered:
             raise UnjudgedError
 
-        def value(v: float, speed: float = 0.0) -> float:
-            given = base | {"excitation": v, "effective": v, "speed": speed, "slip": speed}
+        def value(v: float, w: float = 0.0) -> float:
+            way = math.copysign(1.0, w)  # at rest the one it would go
+            signals = {"effective": v, "speed": abs(w), "slip": w, "direction": way}
+            given = signals | base | {"excitation": v}  # as in a run: numbers before signals
             return function(**{n: given[n] for n in names})
 
         return value
@@ -145,26 +153,34 @@ def _of(function: Callable, *arguments: float) -> object:
     return value if math.isfinite(value) else str(value)
 
 
-def _broken(name: str, v: float, speed: float, value: object, units: tuple[str, str]) -> LawFinding:
+def _way(w: float) -> str:
+    return " backwards" if math.copysign(1.0, w) < 0.0 else ""
+
+
+def _broken(name: str, v: float, w: float, value: object, units: tuple[str, str]) -> LawFinding:
     per, word = units[0], surface_word(units[1])
     failed = isinstance(value, Exception)
     what = f"fails ({type(value).__name__}: {value})" if failed else f"is {value}"
     return LawFinding(
         f"the {'slip' if name == 'slip' else 'breakaway'} {word} {what}",
-        f"at {v:.6g} V and {speed:g} {per}",
+        f"at {v:.6g} V and {abs(w):g} {per}{_way(w)}",
         f"a finite {word} from 0 V to full scale, at all speeds",
     )
 
 
 def _least(
-    function: Callable[[float, float], float], grid: list[float], speeds: Iterable[float]
+    function: Callable[[float, float], float], grid: list[float], slips: Iterable[float]
 ) -> tuple[float, float, float]:
-    """Least value, and the excitation and speed where it is."""
-    low, at, speed = min((function(v, s), v, s) for v in grid for s in speeds)
+    """Least value, and the excitation and slip velocity where it is; forward if both ways."""
+
+    def least(found: tuple[float, float, float]) -> tuple[float, float, bool]:
+        return found[0], found[1], bool(_way(found[2]))
+
+    low, at, w = min(((function(v, s), v, s) for v in grid for s in slips), key=least)
     width = grid[1] - grid[0]
     first, last = max(at - width, grid[0]), min(at + width, grid[-1])
     close = [first + (last - first) * k / STEPS for k in range(STEPS + 1)]
-    return min((low, at, speed), *((function(v, speed), v, speed) for v in close))
+    return min((low, at, w), *((function(v, w), v, w) for v in close), key=least)
 
 
 def _told(value: float, unit: str) -> str:
