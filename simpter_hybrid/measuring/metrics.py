@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..device import surface_word
+from ..device import Device, surface_word
 from ..trajectory import Trajectory
 from .desired_path import desired_path
 from .samples import Samples
@@ -50,25 +50,42 @@ class Metrics:
     saturation_time: tuple[float, ...] = measure("s", "time at full-scale command, per clutch")
     energy_from_user: float = measure("J", "energy taken from the user")
     energy_given_back: float = measure("J", "thereof given back meanwhile")
-    #: SI unit of what the surfaces transmit: of a slide it is a force.
-    surface_unit: str = "N m"
+    #: Whose run it is: surfaces of a slide transmit forces, and coordinates may be angles.
+    device: Device | None = field(default=None, repr=False)
 
     def as_dict(self) -> dict[str, dict[str, Any]]:
         """Value, unit and label of every measure by name, ready for JSON."""
         found = {}
-        word = surface_word(self.surface_unit)
         for f in fields(self):
-            if f.name == "surface_unit":
+            if not f.metadata:
                 continue
-            value, unit = getattr(self, f.name), f.metadata["unit"]
-            label = f.metadata["label"]
-            if unit == "N m":
-                unit, label = self.surface_unit, label.replace("torque", word)
-            if self.path_length is None and unit.startswith("m/s^"):
-                unit = unit.replace("m", "coordinate unit", 1)
+            value = getattr(self, f.name)
             value = list(value) if isinstance(value, tuple) else value
+            unit, label = as_measured(f.metadata["unit"], f.metadata["label"], self.device)
             found[f.name] = {"value": value, "unit": unit, "label": label}
         return found
+
+
+def as_measured(unit: str, label: str, device: Device | None) -> tuple[str, str]:
+    """SI unit and words of a measure for a device.
+
+    Parameters
+    ----------
+    unit, label : str
+        For one with a tip whose surfaces turn.
+    device : Device or None
+        None is such a one.
+    """
+    if device is None:
+        return unit, label
+    if unit == "N m":
+        transmitted = device.surface_units[1]
+        unit, label = transmitted, label.replace("torque", surface_word(transmitted))
+    if "tip" not in device.functions() and unit.startswith("m/s^"):
+        kinds = set(device.coordinate_dimensions) or {"angle"}
+        alike = {"angle": "rad", "length": "m"}[min(kinds)] if len(kinds) == 1 else ""
+        unit = unit.replace("m", alike or "coordinate unit", 1)
+    return unit, label
 
 
 def path_weighted_average(points: np.ndarray, error: np.ndarray) -> tuple[float, float]:
@@ -166,7 +183,7 @@ def measures(trajectory: Trajectory, step: float = 1e-3) -> Metrics:
         saturation_time=saturation_time(trajectory),
         energy_from_user=float(both.work_load[-1]),
         energy_given_back=float(-np.minimum(np.diff(both.work_load), 0.0).sum()),
-        surface_unit=trajectory.scenario.device.surface_units[1],
+        device=trajectory.scenario.device,
     )
 
 

@@ -27,7 +27,8 @@ class Display:
         return f"{words} [{self.unit(si)}]"
 
 
-SI = Display("SI", {"m/s^2": ("m/s²", 1.0), "m/s^3": ("m/s³", 1.0)})
+_ANGULAR = {"rad/s^2": ("rad/s²", 1.0), "rad/s^3": ("rad/s³", 1.0)}
+SI = Display("SI", {"m/s^2": ("m/s²", 1.0), "m/s^3": ("m/s³", 1.0), **_ANGULAR})
 #: The thesis's units.
 THESIS = Display(
     "thesis",
@@ -39,6 +40,7 @@ THESIS = Display(
         "N": ("lbf", 1.0 / LBF),
         "N m": ("lbf in", 1.0 / (LBF * INCH)),
         "J": ("lbf in", 1.0 / (LBF * INCH)),
+        **_ANGULAR,
     },
 )
 DISPLAYS = {"SI": SI, "thesis": THESIS}

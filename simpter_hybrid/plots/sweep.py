@@ -68,7 +68,7 @@ def panels(count: int, title: str, height: float = 2.6) -> tuple[Figure, list[Ax
 
 def shown(table: Table, name: str, display: Display) -> tuple[np.ndarray, str]:
     """Values of a measure in the units shown, and the words for them."""
-    unit, label = unit_and_label(name)
+    unit, label = unit_and_label(name, table.device)
     words = label.split(",")[0].split(" (")[0]
     clutch = label.rpartition(", clutch ")[2] if ", clutch " in label else ""
     words += f", clutch {clutch}" if clutch else ""

@@ -8,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from ..device import Device
 from ..measuring.metrics import (
     Metrics,
+    as_measured,
     differences,
     instants,
     measures,
@@ -134,7 +136,7 @@ def everything(trajectory: Trajectory, step: float) -> Measured:
     return {"events": len(trajectory.events), **found}
 
 
-def unit_and_label(name: str) -> tuple[str, str]:
+def unit_and_label(name: str, device: Device | None = None) -> tuple[str, str]:
     """SI unit of a measure and the words for it.
 
     Parameters
@@ -142,10 +144,13 @@ def unit_and_label(name: str) -> tuple[str, str]:
     name : str
         ``max_error``, or ``saturation_time.1`` for one of a clutch; a name that is not known is its
         own label.
+    device : Device, optional
+        Whose runs were measured; else one with a tip whose surfaces turn.
     """
     stem, _, number = name.partition(".")
     told = (f for f in fields(Metrics) if f.metadata)  # the unit of surfaces is no measure
     known = {f.name: (f.metadata["unit"], f.metadata["label"]) for f in told} | MORE
     unit, label = known.get(stem, ("", stem.replace("_", " ")))
+    unit, label = as_measured(unit, label, device)
     label = label.removesuffix(", per clutch")
     return unit, f"{label}, clutch {number}" if number else label

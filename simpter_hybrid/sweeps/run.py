@@ -78,7 +78,7 @@ class Sweep:
         try:
             records = self._records()
             ordered = tuple(records[case.name] for case in self.plan.cases)
-            table = Table(self.plan.design, ordered)
+            table = Table(self.plan.design, ordered, self.plan.scenario.device)
             write_tables(self.plan, table)
         finally:
             directory.close()

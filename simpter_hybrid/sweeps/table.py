@@ -6,11 +6,12 @@ import csv
 import io
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from ..device import Device
 from .axis import number_of
 from .brief import unit_and_label
 from .case import Record, plain
@@ -28,10 +29,13 @@ class Table:
     design : Design
     records : tuple of Record
         In the order of ``design.rows``.
+    device : Device, optional
+        That of the scenario varied, which tells the units of the measures.
     """
 
     design: Design
     records: tuple[Record, ...]
+    device: Device | None = field(default=None, compare=False)
 
     def __len__(self) -> int:
         return len(self.records)
@@ -97,7 +101,7 @@ class Table:
             As for `column`.
         """
         if name not in self.design.paths:
-            return unit_and_label(name)[0]
+            return unit_and_label(name, self.device)[0]
         found = {pair[1] if (pair := number_of(v)) else None for v in set(self.given(name))}
         return found.pop() if len(found) == 1 else None
 
@@ -170,7 +174,7 @@ def table_json(table: Table) -> str:
     for name in table.design.paths:
         columns.append({"name": name, "unit": table.unit(name), "label": "given"})
     for name in table.measures:
-        unit, label = unit_and_label(name)
+        unit, label = unit_and_label(name, table.device)
         columns.append({"name": name, "unit": unit, "label": label})
     varied, taken = cells(table)
     rows = [
