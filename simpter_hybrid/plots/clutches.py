@@ -38,23 +38,24 @@ WORDS = {"N m": "torque", "N": "force"}
 def slip_velocities(trajectory: Trajectory, samples: Samples, display: Display = SI) -> Figure:
     """Slip velocity of every clutch, with a ribbon that shows its mode."""
     surfaces = trajectory.scenario.device.surfaces
-    m = len(surfaces)
+    unit = trajectory.scenario.device.surface_units[0]
+    m, slip = len(surfaces), display.factor(unit) * samples.slip
     picture = figure(1.0 + 1.55 * m, "Slip velocities")
     axes = picture.subplots(
         2 * m, 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": [7, 1] * m}
     )[:, 0]
-    top, bottom = samples.slip.max(), samples.slip.min()
+    top, bottom = slip.max(), slip.min()
     room = 0.06 * max(top - bottom, 1e-9)
     for i, name in enumerate(surfaces):
         ax, strip = axes[2 * i], axes[2 * i + 1]
         ax.axhline(0.0, color=GREY, linewidth=0.8)
         mark_events(ax, trajectory, i)
-        ax.plot(samples.t, samples.slip[:, i], color=clutch_colour(i))
+        ax.plot(samples.t, slip[:, i], color=clutch_colour(i))
         resting = np.where(samples.mode[:, i] == STICK, 0.0, np.nan)
         ax.plot(samples.t, resting, color=INK, linewidth=3.0)
         ax.set_ylim(bottom - room, top + room)
         ax.set_title(name)
-        ax.set_ylabel(display.axis("slip", trajectory.scenario.device.surface_units[0]))
+        ax.set_ylabel(display.axis("slip", unit))
         ax.tick_params(labelbottom=False)
         ribbon(strip, trajectory, i)
         strip.set_ylabel("mode", rotation=0, ha="right", va="center", fontsize=9)
