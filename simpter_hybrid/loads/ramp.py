@@ -15,6 +15,8 @@ NO_LIMIT = 1e300
 class RampOnCoordinate(Load):
     """``base + slope (t - start)`` from ``start`` on, never beyond ``limit``; before it ``base``.
 
+    Without a slope it is ``base`` throughout, whatever the limit.
+
     Source: thesis 4.6.2.2 (ramped motor torque) and 5.4.3 (constant 250 lb-in).
 
     Parameters
@@ -62,4 +64,8 @@ class RampOnCoordinate(Load):
         risen = slope * max(time - start, 0.0)
         # A falling ramp has a limit below its base, and without a limit falls for ever.
         most = -1e300 if slope < 0.0 and limit >= 1e300 else limit - base
-        Q[int(coordinate)] += base + (min(risen, most) if slope >= 0.0 else max(risen, most))
+        if slope > 0.0:
+            risen = min(risen, most)
+        elif slope < 0.0:
+            risen = max(risen, most)
+        Q[int(coordinate)] += base + risen
