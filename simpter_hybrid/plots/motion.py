@@ -95,9 +95,10 @@ def energy_budget(trajectory: Trajectory, samples: Samples, display: Display = S
         labels.insert(0, "stored (kinetic and potential)")
         colours.insert(0, "#BBBBBB")
         supplied = supplied + stored[0] - min(stored.min(), 0.0)
-    axes[0].stackplot(
-        t, *layers, labels=labels, colors=colours, alpha=0.85, edgecolor="white", linewidth=0.4
-    )
+    if layers:  # nothing rubs, and what is stored is not known
+        axes[0].stackplot(
+            t, *layers, labels=labels, colors=colours, alpha=0.85, edgecolor="white", linewidth=0.4
+        )
     axes[0].plot(t, k * supplied, color=INK, linewidth=2.0, linestyle="--", label="put in")
     axes[0].set_ylabel(display.axis("energy", "J"))
     axes[0].set_title(
