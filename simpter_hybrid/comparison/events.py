@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
+import numpy as np
+
 from ..trajectory import Event, Trajectory
+from .states import clutch_maps, states_at
 
 #: Modes of an engaged clutch.
 MOVING = (-1, 0, 1)
@@ -90,7 +93,7 @@ def match(reference: list[Change], other: list[Change], window: float) -> Matchi
 
 
 class Release(NamedTuple):
-    """Clutches that slipped out of three or four stuck ones; ``other`` None: not at that time.
+    """Clutches that slipped out of a redundant stuck set; ``other`` None: not at that time.
 
     ``first``: what the other run let go at first, before it had time to get at the right ones.
     """
@@ -108,15 +111,24 @@ def slipping(stuck: tuple[int, ...], event: Event) -> tuple[int, ...]:
 
 
 def redundant_releases(run: Trajectory) -> list[tuple[float, tuple[int, ...], list[Event]]]:
-    """Releases out of a redundant stuck set: instant, the set, and the events from it on."""
-    n = run.scenario.device.n
+    """Releases out of a redundant stuck set: instant, the set, and the events from it on.
+
+    A set is redundant where it has more clutches than it holds motions.
+    """
     events = merged(run.events)
     found = []
     for k, event in enumerate(events):
         stuck = tuple(i + 1 for i, mode in enumerate(event.before) if mode == 0)
-        if len(stuck) > n and slipping(stuck, event) and event.t > 0.0:
+        released = slipping(stuck, event) and event.t > 0.0
+        if released and len(stuck) > _held(run, event.t, stuck):
             found.append((event.t, stuck, events[k:]))
     return found
+
+
+def _held(run: Trajectory, t: float, stuck: tuple[int, ...]) -> int:
+    """How many motions the clutches ``stuck`` hold at ``t`` [s]; parallel ones hold the same."""
+    (rows,) = clutch_maps(run.scenario, states_at(run, np.array([t])))
+    return int(np.linalg.matrix_rank(rows[[i - 1 for i in stuck]]))
 
 
 def compare_releases(reference: Trajectory, other: Trajectory, window: float) -> list[Release]:
