@@ -51,8 +51,9 @@ class Effect(Part):
         Methods ``changed_delay(delay)``, ``changed_threshold(threshold)`` replace the clutch's.
 
     Signals of a clutch: ``time`` [s], ``slip`` and its size ``speed`` [rad/s], ``direction`` (1 or
-    -1), ``angle`` (C q, whose rate is the slip) [rad], ``excitation``, ``effective`` (excitation
-    after ``effective_excitation``), ``command`` and, before effects on it, ``told_command`` [V];
+    -1), ``angle`` (C q [rad], 0 where all coordinates are; its rate is the slip if the clutch's row
+    of the map C is constant, else it is refused), ``excitation``, ``effective`` (excitation after
+    ``effective_excitation``), ``command`` and, before effects on it, ``told_command`` [V];
     for torques ``applied, conservative`` (loads' and potential forces along the slip [N m]) and, of
     a single coordinate with a single clutch, ``net, mass`` (all forces but friction [N m], and
     inertia [kg m^2]); in rates also ``torque`` [N m], ``rate`` (of the excitation [V/s]),

@@ -6,6 +6,7 @@ from ..effect import Effect
 from ..loads.drive import VoltageDrive
 from ..problems import Problems
 from ..scenario import Scenario
+from .angle_check import check_angles
 
 #: What an effect may change of a clutch and of a coordinate.
 CLUTCH_PORTS = (
@@ -29,7 +30,7 @@ def place_of(effect: Effect | type[Effect]) -> str:
 
 
 def check_effects(s: Scenario, problems: Problems) -> None:
-    """Record what is wrong with the effects of a scenario."""
+    """Record what is wrong with the effects of a scenario, and maps by an angle that is none."""
     for k, effect in enumerate(s.effects):
         name, place = type(effect).__name__, place_of(effect)
         if not place:
@@ -50,6 +51,7 @@ def check_effects(s: Scenario, problems: Problems) -> None:
         check_together(s, k, problems)
         check_ends(s, k, problems)
         check_lag(s, k, problems)
+    check_angles(s, problems)
 
 
 def check_ends(s: Scenario, k: int, problems: Problems) -> None:

@@ -117,7 +117,9 @@ class EmpiricalBySlip(Knots, Effect):
 
 @dataclass(frozen=True)
 class EmpiricalByPosition(Knots, Effect):
-    """Slip and breakaway torque times ``1 + curve`` of the slip since the start.
+    """Slip and breakaway torque times ``1 + curve`` of the slip from where coordinates are 0.
+
+    For clutch maps that do not depend on the configuration.
 
     Parameters
     ----------
@@ -141,6 +143,7 @@ class EmpiricalByPosition(Knots, Effect):
 class EmpiricalByAngle(Knots, Effect):
     """Slip and breakaway torque times ``1 + curve(angle)``, the same every turn.
 
+    For clutch maps that do not depend on the configuration; the angle is 0 where coordinates are.
     Six knots: ``c1`` stands at both ends, ``c7`` is not used.
 
     Parameters

@@ -47,6 +47,7 @@ from .rotor.rows import as_rotor, fast_rows, untold_holds
 from .rotor.signals import RotorSignals
 from .rotor.traces import RotorTracer
 from .rotor.winding import winding
+from .steady_rows import where_rows_are_steady
 from .tip.bench import diagonal, tip_bench
 from .tip.joint_candidates import joint_candidates
 from .tip.rig import TipSignals
@@ -83,7 +84,9 @@ def bench_of(
     check_fits(recording, declared)
     bench = _bench_of(recording, declared, groups)
     check_any_compared(bench, recording)
-    return replace(bench, remarks=(*bench.remarks, *nothing_compared(bench, recording)))
+    remarks = (*bench.remarks, *nothing_compared(bench, recording))
+    candidates = where_rows_are_steady(bench.candidates, declared)
+    return replace(bench, remarks=remarks, candidates=candidates)
 
 
 def _bench_of(
