@@ -152,19 +152,26 @@ def repeats(apart: float) -> int:
 
 
 def force_file(force: str) -> str:
-    """The force as a file: 20 ms steps."""
+    """The force as a file: the points it was run with, or 20 ms steps of one that has a formula.
+
+    The load recorded-tip-force curves through its points: between other ones than those that were
+    run it would be another force.
+    """
     exact = np.zeros(4)
     (load,) = pushed(force, exact)
-    lines = ["time [s],x force [N],y force [N]"]
+    points = load.points if isinstance(load, RecordedTipForce) else sampled(load)
+    rows = (",".join(f"{value:.12g}" for value in point) for point in points)
+    return "\n".join(("time [s],x force [N],y force [N]", *rows)) + "\n"
+
+
+def sampled(load: Operator) -> list[tuple[float, float, float]]:
+    """Instants [s] in 20 ms steps, and forces along x and y [N]."""
+    points, p = [], [0.0, *load.table()]
     for t in np.arange(0.0, 6.0001, 0.02):
         out = [0.0, 0.0]
-        p = [0.0, *load.table()]
-        if isinstance(load, Operator):
-            load.tip_force(float(t), p, 1, load.along, load.angle, out)
-        else:
-            load.tip_force(float(t), p, 1, out)
-        lines.append(f"{t:.2f},{out[0]:.6g},{out[1]:.6g}")
-    return "\n".join(lines) + "\n"
+        load.tip_force(float(t), p, 1, load.along, load.angle, out)
+        points.append((float(t), out[0], out[1]))
+    return points
 
 
 def picture(found: dict[tuple[str, str], Measured], names: tuple[str, ...]):
