@@ -11,7 +11,9 @@ from ..files.tomlkeys import split_key
 from ..problems import Problems
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?"
-_QUANTITY = re.compile(rf"\s*({NUMBER})\s*([^\d\s.,:+-][^,:]*?)?\s*")
+#: A unit begins with no digit, but with ``1/`` behind a blank: 0.2 1/s.
+_UNIT = r"(?:[^\d\s.,:+-]|(?<=\s)1\s*/)[^,:]*?"
+_QUANTITY = re.compile(rf"\s*({NUMBER})\s*({_UNIT})?\s*")
 #: Digits of the values made here: they stand in tables and result files.
 DIGITS = 12
 #: Values of one range, at most.
