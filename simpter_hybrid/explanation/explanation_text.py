@@ -136,7 +136,9 @@ def mover(facet: Facet) -> str:
             "the load more" if larger else "the clutch more"
         )
     if facet.available_rate < 0.0:
-        return "the clutch weakened (its excitation was falling)"
+        if facet.excitation_fell:
+            return "the clutch weakened (its excitation was falling)"
+        return "the clutch weakened, though its excitation did not fall"
     if facet.needed_rate > 0.0:
         return "the load rose"
     return "the limit was passed at the start of the segment (an input jumped)"

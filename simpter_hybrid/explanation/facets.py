@@ -11,6 +11,9 @@ from ..measuring.evaluation import Evaluation, states
 
 #: Interval over which rates of change are taken [s].
 LOOK_BACK = 1e-4
+#: An excitation fell if it lost more than this share of itself within it: less is rounding, or the
+#: last of a fall long ago.
+FELL = 1e-9
 
 
 @dataclass(frozen=True)
@@ -27,6 +30,8 @@ class Facet:
         Torque along the facet to hold the set, and the most it can give [N m].
     needed_rate, available_rate : float
         Their rates of change just before [N m/s].
+    excitation_fell : bool
+        Whether that of one of its clutches fell just before.
     """
 
     name: str
@@ -35,6 +40,7 @@ class Facet:
     available: float
     needed_rate: float
     available_rate: float
+    excitation_fell: bool
 
     @property
     def margin(self) -> float:
@@ -52,12 +58,14 @@ def facets_at(
     view.enter(segment)
     run, m = view.trajectory, view.md.m
     earlier = max(t - LOOK_BACK, float(run.segment_t[segment, 0]))
-    rows = []
+    rows, excitations = [], []
     for instant in (earlier, t):
         y = states(run, np.array([instant]), np.array([segment]))[0].tolist()
         view.at(instant, y)
         margins = view.margins()
+        excitations.append(y[2 * view.md.n : 2 * view.md.n + m])
         rows.append([(facet_strength(view, k)[0], margin) for k, margin in enumerate(margins)])
+    fell = [new < old * (1.0 - FELL) for old, new in zip(*excitations, strict=True)]
     found = []
     for k in range(0, len(rows[1]), 2):
         loaded = min(k, k + 1, key=lambda side: rows[1][side][1])
@@ -75,6 +83,7 @@ def facets_at(
                 available,
                 (needed - old_needed) * slope,
                 (available - old) * slope,
+                any(p != 0.0 and less for p, less in zip(pattern, fell, strict=True)),
             )
         )
     redundant = tuple(i + 1 for i, unique in enumerate(view.unique()) if not unique)
