@@ -9,6 +9,7 @@ from simpter_hybrid.applied_load import Load
 from simpter_hybrid.clutch import Clutch, TorqueLaw
 from simpter_hybrid.controller import Controller
 from simpter_hybrid.device import Device
+from simpter_hybrid.part import parameter
 
 
 @dataclass(frozen=True)
@@ -133,6 +134,33 @@ class TwoBlocks(Device):
     def clutch_map_rate(q, qd, p, out):
         out[0] = 0.0
         out[1] = 0.0
+
+
+@dataclass(frozen=True)
+class CartAndWheel(Device):
+    """A cart along a length and a wheel over an angle, each with a surface of its own."""
+
+    mass: float = parameter("mass", 1.0)
+
+    coordinates = ("x", "turn")
+    coordinate_dimensions = ("length", "angle")
+    surfaces = ("rail", "hub")
+
+    @staticmethod
+    def mass_matrix(q, p, out):
+        out[0], out[1], out[2], out[3] = p[0], 0.0, 0.0, 1.0
+
+    @staticmethod
+    def velocity_terms(q, qd, p, out):
+        out[0], out[1] = 0.0, 0.0
+
+    @staticmethod
+    def clutch_map(q, p, out):
+        out[0], out[1], out[2], out[3] = 1.0, 0.0, 0.0, 1.0
+
+    @staticmethod
+    def clutch_map_rate(q, qd, p, out):
+        out[0], out[1] = 0.0, 0.0
 
 
 @dataclass(frozen=True)

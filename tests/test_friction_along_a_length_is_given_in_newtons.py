@@ -1,14 +1,9 @@
 """Maps of clutches take a force where surfaces rub along a length, a torque over an angle."""
 
-from dataclasses import dataclass
-from typing import ClassVar
-
 import pytest
 
-from simpter_hybrid.device import Device
 from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.files.scenario_text import resolve
-from simpter_hybrid.part import parameter
 from simpter_hybrid.problems import InvalidInput
 
 LAWS = {
@@ -38,31 +33,6 @@ kind = "{law}"
 AXIS = {"device": "linear-axis", "mass": 'mass = "2 kg"', "start": '["0 m"]'}
 
 
-@dataclass(frozen=True)
-class CartAndWheel(Device):
-    mass: float = parameter("mass", 1.0)
-
-    coordinates: ClassVar[tuple[str, ...]] = ("x", "turn")
-    coordinate_dimensions: ClassVar[tuple[str, ...]] = ("length", "angle")
-    surfaces: ClassVar[tuple[str, ...]] = ("rail", "hub")
-
-    @staticmethod
-    def mass_matrix(q, p, out):
-        out[0], out[1], out[2], out[3] = p[0], 0.0, 0.0, 1.0
-
-    @staticmethod
-    def velocity_terms(q, qd, p, out):
-        out[0], out[1] = 0.0, 0.0
-
-    @staticmethod
-    def clutch_map(q, p, out):
-        out[0], out[1], out[2], out[3] = 1.0, 0.0, 0.0, 1.0
-
-    @staticmethod
-    def clutch_map_rate(q, qd, p, out):
-        out[0], out[1] = 0.0, 0.0
-
-
 @pytest.mark.parametrize("law", LAWS)
 def test_a_force_is_read_and_written_again(law):
     numbers = LAWS[law].format(F="N", w="m/s")
@@ -79,6 +49,6 @@ def test_a_torque_along_a_length_is_refused():
 
 @pytest.mark.parametrize("unit", ["N", "N*m"])
 def test_surfaces_of_a_device_with_both_take_either(unit):
-    mixed = {"device": f"{__name__}:CartAndWheel", "mass": "", "start": '["0 m", "0 rad"]'}
+    mixed = {"device": "devices_for_tests:CartAndWheel", "mass": "", "start": '["0 m", "0 rad"]'}
     scenario = parse(FILE.format(law="linear", numbers=LAWS["linear"].format(F=unit), **mixed))
     assert [clutch.torque.rated for clutch in scenario.clutches] == [20.0, 20.0]

@@ -77,7 +77,8 @@ class TorqueOnClutch(Load):
     Parameters
     ----------
     points : tuple of (float, float)
-        Instants [s], rising, and torques [N m]; straight between, constant outside.
+        Instants [s], rising, and torques [N m], or forces [N] on a surface that rubs along a
+        length; straight between, constant outside.
     clutch : float
         Number of the clutch, from 0.
 
@@ -87,7 +88,7 @@ class TorqueOnClutch(Load):
         If there is no point or the instants do not rise.
     """
 
-    points: tuple[tuple[float, float], ...] = rows(("time", "time"), ("torque", "torque"))
+    points: tuple[tuple[float, float], ...] = rows(("time", "time"), ("torque", "coordinate force"))
     clutch: float = index("clutch", 0.0)
 
     uses: ClassVar[tuple] = (straight_value,)

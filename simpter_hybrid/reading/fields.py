@@ -84,12 +84,16 @@ def build(table: TableReader, cls: type[Part], context: Context, **given: Any) -
     before = len(table.problems)
     values = dict(given)
     fields = [f for f in dataclasses.fields(cls) if f.init and f.name not in given]
-    if issubclass(cls, TorqueLaw) and _mixed(context.device) and not any(map(_is_index, fields)):
+    indices = {f.metadata.get("index", f.name) for f in fields if _is_index(f)}
+    numbers = context
+    if _mixed(context.device) and (
+        indices == {"clutch"} or (issubclass(cls, TorqueLaw) and not indices)
+    ):
         # Its surfaces may rub along lengths or over angles: no device says which.
-        context = context._replace(device=None)
+        numbers = context._replace(device=None)
     # Indices first: what other fields measure may depend on the coordinate.
     for f in sorted(fields, key=lambda f: not _is_index(f)):
-        values[f.name] = _read_field(table, f, context, values)
+        values[f.name] = _read_field(table, f, context if _is_index(f) else numbers, values)
     if len(table.problems) > before:
         return None
     try:
