@@ -185,7 +185,9 @@ def cut_short_sentence(steps: float, unfitted: int, interrupted: bool = False) -
 
 def cut_off_sentence(findings: Sequence[Finding]) -> str:
     """Sentence on which channels look as if they were cut off; "" if none does."""
-    names = dict.fromkeys(f.what.split()[0] for f in findings if f.what.endswith(CUT_OFF))
+    # The name of a channel may have blanks in it.
+    cut = (f.what.partition(" stays at ") for f in findings if f.what.endswith(CUT_OFF))
+    names = dict.fromkeys(name for name, *_ in cut)
     if not names:
         return ""
     return (
