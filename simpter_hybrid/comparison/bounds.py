@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from ..device import Device
 from .compare import Comparison
 
-#: What may be bounded, and its unit.
+#: What may be bounded, and its unit; "" also where it is the device's (see `unit_of`).
 BOUNDED = {
-    "final_error": "rad or m",
-    "path_error": "m",
+    "final_error": "",
+    "path_error": "",
     "run_time_error": "s",
     "missed": "",
     "invented": "",
     "largest_shift": "s",
-    "drift": "rad or m",
+    "drift": "",
     "energy_created": "J",
     "clutch_drive": "J",
     "wrong": "",
@@ -35,6 +36,8 @@ class Exceeded(NamedTuple):
     bound : float
     why : str
         Of such a value.
+    unit : str
+        SI unit of both.
     """
 
     candidate: str
@@ -42,14 +45,36 @@ class Exceeded(NamedTuple):
     value: float | None
     bound: float
     why: str = ""
+    unit: str = ""
 
     def __str__(self) -> str:
-        unit = f" {BOUNDED[self.name]}" if BOUNDED[self.name] else ""
+        unit = f" {self.unit}" if self.unit else ""
         if self.value is None:
             return f"{self.candidate}: {self.why}, so {self.name} has no value to bound"
         return (
             f"{self.candidate}: {self.name} is {self.value:.3g}{unit}, above {self.bound:g}{unit}"
         )
+
+
+def unit_of(name: str, device: Device) -> str:
+    """SI unit of what may be bounded; "" if it is a number.
+
+    Parameters
+    ----------
+    name : str
+        One of ``BOUNDED``.
+    device : Device
+        Of the scenario compared: its coordinates are angles or lengths.
+    """
+    if name == "drift":
+        return device.surface_units[0].removesuffix("/s")
+    if name == "path_error" and "tip" in device.functions():
+        return "m"
+    if name in ("path_error", "final_error"):
+        # The largest error of any coordinate: of which one is not known.
+        kinds = set(device.coordinate_dimensions or ("angle",))
+        return {"angle": "rad", "length": "m"}[kinds.pop()] if len(kinds) == 1 else "rad or m"
+    return BOUNDED[name]
 
 
 def exceeded(comparison: Comparison, bounds: dict[str, float]) -> list[Exceeded]:
@@ -73,5 +98,6 @@ def exceeded(comparison: Comparison, bounds: dict[str, float]) -> list[Exceeded]
             elif value is None:
                 found.append(Exceeded(row.name, name, None, bound, UNKNOWN[name]))
             elif not abs(value) <= bound:
-                found.append(Exceeded(row.name, name, float(value), bound))
+                unit = unit_of(name, comparison.scenario.device)
+                found.append(Exceeded(row.name, name, float(value), bound, unit=unit))
     return found

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from ..comparison.bounds import unit_of
 from ..comparison.compare import WINDOW, Comparison
 from ..comparison.events import Change, changes, match
 from ..comparison.states import clutch_maps, points_of, states_at
@@ -44,8 +45,9 @@ def error_against_band(comparison: Comparison) -> Figure:
         comparison.reference.statistics["rhs_evaluations"], color=GREY, linestyle="--",
         linewidth=1.0, label="exact engine",
     )  # fmt: skip
-    left.set_xlabel("band or width [rad/s]")
-    left.set_ylabel("error of the final coordinates [rad or m]")
+    device = comparison.scenario.device
+    left.set_xlabel(f"band or width [{device.surface_units[0]}]")
+    left.set_ylabel(f"error of the final coordinates [{unit_of('final_error', device)}]")
     right.set_xlabel("evaluations of the right-hand side")
     label_counts(right)
     right.legend()
