@@ -129,14 +129,26 @@ def maps(table: Table, names: Sequence[str], display: Display) -> Figure:
         field = values.reshape(shape)[across][:, up]
         ax.set_facecolor(PALE)
         drawn = ax.pcolormesh(
-            x.reshape(shape)[across, 0], y.reshape(shape)[0, up], np.ma.masked_invalid(field.T),
-            shading="nearest", cmap="viridis", rasterized=True,
+            edges(x.reshape(shape)[across, 0]), edges(y.reshape(shape)[0, up]),
+            np.ma.masked_invalid(field.T), cmap="viridis", rasterized=True,
         )  # fmt: skip
         ax.grid(False)
         picture.colorbar(drawn, ax=ax, label=words)
         ax.set_xlabel(axis_label(table, first))
         ax.set_ylabel(axis_label(table, second))
     return picture
+
+
+def edges(values: np.ndarray) -> np.ndarray:
+    """Edges (k + 1,) of cells around rising values (k,): half way to the next ones.
+
+    A value that is alone has no next one: its cell is as wide as it is large, or 1 around 0.
+    """
+    if len(values) == 1:
+        return values + (abs(values[0]) or 1.0) * np.array([-0.5, 0.5])
+    half = 0.5 * np.diff(values)
+    inner = values[:-1] + half
+    return np.concatenate([[values[0] - half[0]], inner, [values[-1] + half[-1]]])
 
 
 @styled
