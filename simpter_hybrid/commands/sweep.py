@@ -27,7 +27,7 @@ HELP = "vary values of a scenario, case by case, on all cores"
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     add = parser.add_argument
-    add("scenario", help="name of a shipped scenario, or a TOML file")
+    add("scenario", help="name of a shipped scenario, or a TOML file, or - (stdin)")
     add(
         "--vary", action="append", default=[], metavar="PATH=VALUES",
         help='a list v1,v2,...; a range a:b:n; an interval low..high to draw from; the unit behind '

@@ -54,8 +54,24 @@ def read_toml(file: str | os.PathLike, overrides: Sequence[str] = ()) -> TomlFil
     InvalidInput
         The file cannot be read, is too large, is not UTF-8, or is not TOML.
     """
+    return parse_toml(*read_text(file), overrides)
+
+
+def read_text(file: str | os.PathLike) -> tuple[str, str]:
+    """Text of a TOML file, and what messages call it; of standard input there is one reading.
+
+    Parameters
+    ----------
+    file : path
+        As for `read_toml`.
+
+    Raises
+    ------
+    InvalidInput
+        The file cannot be read, is too large, or is not UTF-8.
+    """
     source = os.fspath(file)
-    return parse_toml(_read_text(source), "stdin" if source == STDIN else source, overrides)
+    return _text_of(source), "stdin" if source == STDIN else source
 
 
 def parse_toml(text: str, source: str, overrides: Sequence[str] = ()) -> TomlFile:
@@ -121,7 +137,7 @@ def _refusal(where: str, what: str, value: Any, right: str) -> InvalidInput:
     return InvalidInput([Problem(where, "", what, show(value), right)])
 
 
-def _read_text(source: str) -> str:
+def _text_of(source: str) -> str:
     right = "a readable TOML file"
     if source == STDIN:
         return _decoded(sys.stdin.buffer.read(LARGEST_FILE + 1), "stdin")

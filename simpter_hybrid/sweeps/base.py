@@ -12,7 +12,7 @@ from typing import Any
 
 from ..files.scenario_file import find_scenario, scenario_of
 from ..files.scenario_text import Resolved, resolve
-from ..files.tomlfile import parse_toml, read_toml
+from ..files.tomlfile import parse_toml, read_text
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 
@@ -66,6 +66,7 @@ def base_of(scenario: Scenario | str | os.PathLike, overrides: Sequence[str] = (
     Parameters
     ----------
     scenario : Scenario, str or path
+        ``-`` is standard input.
     overrides : sequence of str
         ``path=value``.
 
@@ -86,9 +87,9 @@ def base_of(scenario: Scenario | str | os.PathLike, overrides: Sequence[str] = (
             raise InvalidInput([Problem(scenario.name, "", what, "a Scenario", right)])
         return Base(resolved.text, f"{scenario.name}.toml", ".", tuple(overrides))
     file = find_scenario(scenario)
-    read_toml(file)  # a file that is no TOML is a problem here as well
-    text = file.read_text(encoding="utf-8-sig")
-    return Base(text, file.name, str(file.parent), tuple(overrides))
+    text, source = read_text(file)
+    parse_toml(text, source)  # a file that is no TOML is a problem here as well
+    return Base(text, Path(source).name, str(file.parent), tuple(overrides))
 
 
 def fingerprint(*parts: Any) -> str:
