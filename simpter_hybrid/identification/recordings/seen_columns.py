@@ -14,7 +14,7 @@ from .layout import Layout, dates_of
 from .seen_layout import seen_layout
 from .text_table import body_of
 
-#: A column tells time if it falls, and runs if it changes, in fewer rows than one in this.
+#: A column tells time if it does not rise, and runs if it changes, in fewer rows than one in this.
 SELDOM = 20
 
 
@@ -41,16 +41,16 @@ class SeenColumn:
         return (np.flatnonzero(values[1:] != values[:-1]) + 1).tolist()
 
     def begins(self) -> list[int]:
-        """Rows in which it is no higher than in the row before."""
+        """Rows in which it is lower than in the row before: a value that comes twice is no end."""
         if self.numbers is None:
             return []
-        return (np.flatnonzero(~(np.diff(self.numbers) > 0.0)) + 1).tolist()
+        return (np.flatnonzero(np.diff(self.numbers) < 0.0) + 1).tolist()
 
     def tells_time(self) -> bool:
         """Whether it rises from nearly every row to the next."""
         if self.numbers is None or self.numbers.size < 3 or not np.isfinite(self.numbers).all():
             return False
-        return len(self.begins()) * SELDOM < self.numbers.size
+        return int(np.count_nonzero(np.diff(self.numbers) <= 0.0)) * SELDOM < self.numbers.size
 
     def tells_runs(self) -> bool:
         """Whether it has a few values, each in many rows in a row."""
