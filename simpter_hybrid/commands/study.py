@@ -54,7 +54,7 @@ def execute(args: argparse.Namespace) -> int:
     folder = args.out or ("" if args.name else "out/studies")
     if folder:
         check_out(folder, "numbers.json")
-    from ..reproduce.rows import plain
+    from ..files.json_text import json_text
     from ..studies.page import as_text, write_pages
 
     done = {}
@@ -64,9 +64,7 @@ def execute(args: argparse.Namespace) -> int:
         if not args.json:
             print(as_text(name, done[name]), flush=True)
     if args.json:
-        import json
-
-        print(json.dumps({n: s.numbers for n, s in done.items()}, indent=1, default=plain))
+        print(json_text({n: s.numbers for n, s in done.items()}), end="")
     if folder:
         page = write_pages(done, folder, args.size)
         print(f"page: {page}", file=sys.stderr)

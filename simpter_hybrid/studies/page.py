@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import base64
 import html
-import json
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..reproduce.rows import plain
+from ..files.json_text import json_text
 from .study import Study, Table
 
 STYLE = """body{font:15px/1.45 system-ui,sans-serif;color:#222;max-width:1100px;margin:2em auto;
@@ -48,7 +47,7 @@ def write_pages(studies: Mapping[str, Study], directory: str | Path, size: int |
         for file, text in study.files.items():
             write(folder / file, text)
     numbers = {name: study.numbers for name, study in studies.items()}
-    write(folder / "numbers.json", json.dumps(numbers, indent=1, default=plain) + "\n")
+    write(folder / "numbers.json", json_text(numbers))
     write(folder / "studies.md", markdown(studies, size))
     links = "".join(
         f"<h2><a href='{name}.html'>{html.escape(study.title)}</a></h2><ul>"
