@@ -106,10 +106,14 @@ def _check_clutches(s: Scenario, problems: Problems) -> None:
         if path in seen:
             continue
         seen.add(path)
-        for name, low in (("time_constant", 0.0), ("delay", 0.0), ("full_scale", 1e-300)):
+        for name in ("time_constant", "delay"):
             value = getattr(clutch, name)
-            if not low <= value < math.inf:
-                problems.add((*path, name), "out of range", value, "finite, not negative (SI)")
+            if not 0.0 <= value < math.inf:
+                right = "a time of 0 s or more, finite"
+                problems.add((*path, name), "out of range", f"{value:g} s", right)
+        if not 1e-300 <= full < math.inf:
+            right = "a voltage above 0 V, finite"
+            problems.add((*path, "full_scale"), "out of range", f"{full:g} V", right)
         if not clutch.threshold < full:
             right, value = f"a threshold below full_scale, {full:g} V", f"{clutch.threshold:g} V"
             problems.add((*path, "threshold"), "at or above full scale", value, right)
