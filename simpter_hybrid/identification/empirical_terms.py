@@ -71,6 +71,8 @@ LEAST = 1e-6
 #: A curve over a whole travel has seven knots.  What happens at one place (a catch, a bump, a step)
 #: is looked for by curves over pieces of this part of it, each begun half a piece farther on.
 PIECE = 0.25
+#: What a curve acts on, in words.
+WORDS = {"clutch": "clutch", "coordinate": "joint"}
 
 
 def terms_over(
@@ -225,10 +227,16 @@ def _candidate(
     cls: type[Effect], place: Mapping[str, int], ends: Mapping[str, float], expected: float
 ) -> EffectCandidate:
     effect = cls(**place, **ends)  # type: ignore[arg-type]
-    within = ends.get("way", ends["high"])
     lowest = -0.9 if issubclass(cls, Knots) else -10.0 * expected
     lowest = 0.0 if cls is EmpiricalDrag else lowest
-    return _fitted_knots(effect, f"{_kind(effect)} within {within:.2g}", lowest, expected)
+    # A name is a curve's own: one of a name is tried, and there is one for each clutch and joint.
+    (what, number), *_ = place.items()
+    of = f" of {WORDS[what]} {number + 1}" if number else ""
+    if "way" in ends:
+        over = f"over {ends['way']:.3g}"
+    else:
+        over = f"from {ends.get('low', 0.0):.3g} to {ends['high']:.3g}"
+    return _fitted_knots(effect, f"{_kind(effect)}{of} {over}", lowest, expected)
 
 
 def _kind(effect: Effect) -> str:
