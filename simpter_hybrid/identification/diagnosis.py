@@ -33,7 +33,7 @@ from .late_by_record import named_by_record
 from .pace import not_cleared_at_another_pace
 from .percent import percent
 from .recordings.copies import refuse_copies
-from .recordings.groups import groups_of, groups_without_runs, used_for
+from .recordings.groups import groups_of, groups_without_runs, holding_out, used_for
 from .recordings.recording import Recording
 from .result import Diagnosis
 from .rigs.bench import Bench
@@ -95,7 +95,7 @@ def diagnose(
     """
     recording = as_recorded(recording)
     remark = remark or say
-    bench, used = _bench(recording, declared, say, remark)
+    recording, bench, used = _bench(recording, declared, say, remark)
     tried, own = _tried(bench, candidates, without, also, say)
     predictor: Any = bench.predictor
     predictor.effort.most, predictor.effort.ended = effort * USUAL, ended
@@ -161,14 +161,14 @@ def diagnose(
 
 def _bench(
     recording: Recording, declared: Scenario, say: Say, remark: Say
-) -> tuple[Bench, dict[str, tuple[str, ...]]]:
-    """What is run of a recording, and which runs are used for what; remarks are said."""
+) -> tuple[Recording, Bench, dict[str, tuple[str, ...]]]:
+    """The recording as it is searched, what is run of it, and what for; remarks are said."""
     groups, *_ = together(
         lambda: groups_of(recording),
         lambda: check_fits(recording, declared),
         lambda: refuse_copies(recording),
     )
-    used = used_for(groups)
+    recording, used = holding_out(recording, groups), used_for(groups)
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in used.items()))
     bench = bench_of(recording, declared, groups)
     bench = replace(bench, remarks=(*groups_without_runs(recording), *bench.remarks))
@@ -176,7 +176,7 @@ def _bench(
         remark(f"{one.run}: {one.what} ({one.value})")
     if len(bench.remarks) > SAID:
         remark(f"{len(bench.remarks) - SAID} more remarks stand in the report")
-    return bench, used
+    return recording, bench, used
 
 
 def _tried(

@@ -109,6 +109,12 @@ def without_held_out(recording: Recording, groups: Mapping[str, Sequence[str]]) 
     return replace(recording, runs=tuple(r for r in recording.runs if r.group in used))
 
 
+def holding_out(recording: Recording, groups: Mapping[str, Sequence[str]]) -> Recording:
+    """The recording with the groups named that neither fit nor select."""
+    used = {*groups["fit"], *groups["select"]}
+    return replace(recording, held_out=tuple(g for g in groups["report"] if g not in used))
+
+
 def refuse_halves(recording: Recording, groups: Mapping[str, Sequence[str]], rig: str) -> None:
     """Check that no group fits and selects at once, for a rig whose runs are not halved.
 

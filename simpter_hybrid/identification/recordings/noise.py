@@ -262,7 +262,8 @@ def noise_in(run: RecordedRun, recording: Recording, name: str) -> float:
 def channel_noise(recording: Recording, name: str) -> float:
     """Noise of a channel as stated, or else the median of its runs' estimates [SI].
 
-    Estimated once for a recording: every run of many asks for it.
+    Runs that are held out count only where no other has the channel.  Estimated once for a
+    recording: every run of many asks for it.
     """
     channel = recording.channels[name]
     known = channel.left if channel.left is not None else stated_noise(channel)
@@ -270,6 +271,7 @@ def channel_noise(recording: Recording, name: str) -> float:
         return known
     if name not in recording.noises:
         logged = [r for r in recording.runs if name in r.channels]
-        every = [run_noise(r.channels[name], channel, r.time) for r in logged]
+        searched = [r for r in logged if r.group not in recording.held_out] or logged
+        every = [run_noise(r.channels[name], channel, r.time) for r in searched]
         recording.noises[name] = float(np.median(every))
     return recording.noises[name]

@@ -69,6 +69,8 @@ class Recording:
         Where its rows stand; None of one that was not read.
     at_gaps : tuple of str
         Columns that nothing uses, and that change where rows are missing and nowhere else.
+    held_out : tuple of str
+        Groups of runs that have no part in a search: noise is not estimated from them either.
     """
 
     source: str
@@ -79,6 +81,7 @@ class Recording:
     still: Mapping[str, Motion] = field(default_factory=dict)
     places: Places | None = field(default=None, compare=False)
     at_gaps: tuple[str, ...] = ()
+    held_out: tuple[str, ...] = ()
 
     @cached_property
     def noises(self) -> dict[str, float]:
