@@ -99,7 +99,10 @@ def _stretches(runs: Sequence[RecordedRun], name: str) -> _Stretches:
 def _stays(stretches: _Stretches, extreme: float) -> np.ndarray:
     """Which stretches at an extreme show that it is a limit; none if it may be any value."""
     there = (stretches.value == extreme) & (stretches.size >= SAMPLES)
-    others = stretches.size[np.abs(stretches.value) < abs(extreme)]
+    # The other end may be cut off as well; a rest at 0 is no end of what is pushed one way.
+    value = stretches.value
+    between = (value > value.min()) & (value < value.max())
+    others = stretches.size[between | (np.abs(value) < abs(extreme))]
     steps = stretches.steps
     if there.any() and others.size and not np.isnan(steps).all():
         # What is cut off comes to its limit as it changes elsewhere; what is set jumps there.
