@@ -41,7 +41,7 @@ def test_what_fell_to_a_part_of_itself_is_told_though_it_is_no_two_tolerances():
     fallen.search.corrected.predictor.parameters = (MASS, half)
     assert "friction -95.0 % (declared to 50 %)" in refit_sentence(fallen)
     fallen.search.corrected.values["friction"] = 0.3
-    assert "more than is usual" not in refit_sentence(fallen)
+    assert "far beyond" not in refit_sentence(fallen)
 
 
 def test_what_ended_as_far_as_is_tried_is_no_estimate():

@@ -96,7 +96,7 @@ def refit_sentence(found: Diagnosis) -> str:
     is told behind them.
     """
     told, beyond = far_refits(found), _beyond_tolerance(found)
-    said = [f"Refitted by more than is usual: {', '.join(told)}."] if told else []
+    said = [f"Refitted far beyond its tolerance: {', '.join(told)}."] if told else []
     said += [f"Refitted beyond its tolerance: {', '.join(beyond)}."] if beyond else []
     return " ".join(said)
 
