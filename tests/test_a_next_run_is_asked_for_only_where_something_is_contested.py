@@ -26,8 +26,9 @@ EFFECTS = tuple(map(trial, RIVALS))
 
 
 def said(
-    kind, distance, trials=EFFECTS, rivals=(), more=(), error=1.0, effects=TOLD[:1], floor=1.0
-):
+    kind, distance, trials=EFFECTS, rivals=(), more=(), error=1.0, effects=TOLD[:1], floor=1.0,
+    recording=None,
+):  # fmt: skip
     named = SimpleNamespace(accepted=trials[0], rivals=())
     runs = {RIVALS: (("steps", distance),)}
     runs |= {(RIVALS[0], name): (("steps", far),) for name, far in more}
@@ -40,8 +41,9 @@ def said(
     )
     forms = {RIVALS[0]: other_forms(RIVALS[0], trials)}
     found = SimpleNamespace(
-        search=done, experiments=lambda values, runs: (), candidates=TOLD, forms=forms
-    )
+        search=done, experiments=lambda values, runs: (), candidates=TOLD, forms=forms,
+        recording=recording,
+    )  # fmt: skip
     return next_sentence(found, seen)
 
 
@@ -57,6 +59,13 @@ def test_one_that_a_declared_value_would_do_as_well_asks_for_the_run_that_tells(
 
 def test_a_contested_one_asks_for_the_run_that_settles_it():
     assert said("cannot be told apart", 50.0).startswith("Run next, to tell a delay from a lag")
+
+
+@pytest.mark.parametrize(("pieces", "whole"), [(1, False), (8, True)])
+def test_a_run_is_asked_for_whole_where_these_were_cut(pieces, whole):
+    recording = SimpleNamespace(map=SimpleNamespace(pieces=pieces))
+    words = said("cannot be told apart", 50.0, recording=recording)
+    assert ("not cut into pieces" in words) is whole
 
 
 def test_where_none_settles_it_words_say_what_would():

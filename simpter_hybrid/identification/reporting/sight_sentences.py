@@ -19,6 +19,9 @@ ASKED, SHOWN = 4, 3
 #: Names of two effects.
 Pair = tuple[str, str]
 
+#: A run as it was recorded may be asked for: whole it tells what its pieces, begun anew, do not.
+WHOLE = " It has to be followed whole: not cut into pieces, as these data are."
+
 
 def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[str]:
     """Names of effects, with a class of which (nearly) all are meant named instead.
@@ -148,7 +151,8 @@ def next_sentence(
     # The unit of `seen_by`: 1 where deviations are those of the noise.
     far = IMPERFECT * found.search.floor < found.search.corrected.select_error < 1.0
     unit = "of what the model leaves" if far else "of the noise"
-    said = []
+    cut = found.recording is not None and found.recording.map.pieces > 1
+    said: list[str] = []
     for (effect, name), every in asked.items():
         # Those that the verdict names; where it says by what others go, a few.
         pairs = [pair for pair in every if pair[1] in rivals] or every[:FEW]
@@ -157,6 +161,7 @@ def next_sentence(
         question = f"tell {named[effect]} from {others}{more}"
         if name:
             takes = f" It takes {words[name]}." if words and name in words else ""
+            takes += WHOLE if cut and not said else ""
             said.append(f"Run next, to {question}: {name} ({_apart(pairs, sight, unit)}).{takes}")
             continue
         (first, distance), *_ = sight.run_next[pairs[0]]
