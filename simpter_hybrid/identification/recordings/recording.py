@@ -28,6 +28,7 @@ from .filtering import too_fast
 from .joined import read_files
 from .limits import at_limits
 from .lone_samples import lone_sample_remarks
+from .long_ago import from_the_first
 from .lost_frames import check_repeated
 from .map_file import RecordingMap, read_map
 from .marks import with_noise_of_stamps
@@ -40,7 +41,7 @@ from .recorded_run import RecordedRun, recorded_runs
 from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
 from .stale import stale_inputs, stepped_inputs
-from .stamps import evenly_sampled, from_the_first
+from .stamps import evenly_sampled
 from .steps import finer_than_told, quieter_than_told
 from .stuck import stuck_inputs, stuck_positions
 from .text_rows import LISTED

@@ -7,9 +7,9 @@ are as far from a smooth course over the rows as the stamps are early or late.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d
@@ -17,9 +17,8 @@ from scipy.signal import savgol_coeffs, savgol_filter
 
 from .channel_map import ChannelMap
 from .checks import Finding, stamped_to
-from .columns import Columns
-from .map_file import RecordingMap
 from .recorded_run import RecordedRun
+from .row_step import gaps
 
 #: Samples over which a course, and over which the stamps, are followed; slower than the latter a
 #: clock may go as it likes.
@@ -53,28 +52,10 @@ ROUNDED = 1.1
 FEWEST = 10
 #: Channels that are asked, by the beginnings of their names.
 ASKED = ("position", "speed")
-#: Stamps beyond so many seconds count from no beginning of a record [s].
-LONG_AGO = 1e7
 #: A jitter below this part of a step is only that of the digits it was written with.
 LEAST = 1e-5
-
-
-def from_the_first(columns: Columns, described: RecordingMap) -> Columns:
-    """Stamps that count from long ago (seconds since 1970), counted from a whole second in them.
-
-    A number of 1.7e9 has its last digit at 0.2 us: what it was rounded by would put a stamp before
-    or behind the instant at which an input changes.
-    """
-    channel = described.time
-    stamps = channel.to_si(columns.numbers[channel.column])
-    known = stamps[np.isfinite(stamps)]
-    usual = float(np.median(np.abs(known))) if known.size else 0.0
-    if not usual > LONG_AGO:
-        return columns
-    digits = math.floor(-math.log10(2.0 * np.spacing(usual)))
-    first = math.floor(known[0])
-    moved = channel.number(np.round(stamps - first, digits))
-    return replace(columns, numbers={**columns.numbers, channel.column: moved})
+#: Fewer rows than this between two gaps keep their stamps: a line goes through any two of them.
+SHORT = 3
 
 
 def evenly_sampled(
@@ -164,18 +145,32 @@ def _jitter(time: np.ndarray) -> np.ndarray | None:
             return None
         late = _off_line(count, time)
         return late - _wander(late)
-    step = _spacing(steps)
+    step, behind = _spacing(steps), gaps(time) + 1
     rows = np.round(steps / step)
+    inner = np.ones(steps.size, bool)
+    inner[behind - 1] = False
     # A row more or less may be lateness.
-    unsure = np.any(rows < 1) or np.any(np.abs(steps - rows * step) > OFF * step)
-    rows = _followed(time, step) if unsure else rows
+    unsure = np.any((rows < 1) | (inner & (np.abs(steps - rows * step) > OFF * step)))
     if unsure and not _makes_up(steps / step):
         return None
-    late = _off_line(np.concatenate([[0.0], np.cumsum(rows)]), time)
-    late = late - _wander(late)
+    stretched = (slice(*ends) for ends in pairwise([0, *behind.tolist(), time.size]))
+    late = np.concatenate([_late(time[s], step, bool(unsure)) for s in stretched])
     if unsure and float(np.abs(late).max()) > step:  # a logger that stalls, and catches up
         return None
     return late if LEAST * step < float(np.std(late)) < OFF * step else None
+
+
+def _late(time: np.ndarray, step: float, unsure: bool) -> np.ndarray:
+    """How late stamps between two gaps are [s].
+
+    A gap is not a whole number of steps in general: a line through both sides of one made stamps
+    late that were exact.
+    """
+    if time.size < SHORT:
+        return np.zeros(time.size)
+    rows = _followed(time, step) if unsure else np.round(np.diff(time) / step)
+    late = _off_line(np.concatenate([[0.0], np.cumsum(rows)]), time)
+    return late if time.size < STAMPS else late - _wander(late)
 
 
 def _in_bursts(steps: np.ndarray) -> bool:
