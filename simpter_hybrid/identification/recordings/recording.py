@@ -28,6 +28,7 @@ from .filtering import too_fast
 from .joined import read_files
 from .limits import at_limits
 from .lone_samples import lone_sample_remarks
+from .lone_speeds import lone_speed_remarks
 from .long_ago import from_the_first
 from .lost_frames import check_repeated
 from .map_file import RecordingMap, read_map
@@ -208,6 +209,7 @@ def _doubted_values(
         *quieter_than_told(recorded, channels),
         *made_up_rows(recorded, channels),
         *lone_sample_remarks(recorded, channels),
+        *lone_speed_remarks(recorded, channels),
         *uneven_noise_remarks(recorded, channels),
     ]
 

@@ -56,6 +56,7 @@ from .not_shown import (
     uneven_sentence,
     unsteady_sentence,
 )
+from .odd_rows import odd_rows_sentence
 from .one_direction import one_direction_sentence
 from .one_run import holding_sentence
 from .pace import pace_sentence
@@ -174,6 +175,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "pace": pace_sentence(told),
         "ruling_run": ruling_run_sentence(found.ruling_run),
         "cut_off": cut_off_sentence(recording.findings),
+        "odd_rows": odd_rows_sentence((*recording.findings, *found.remarks)),
         "cut_short": cut_short_sentence(found.cut_short, unfitted, found.interrupted),
         "kind": class_sentence(found),
         "or_sensor": or_sensor_sentence(found),
