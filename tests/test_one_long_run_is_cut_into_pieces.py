@@ -59,7 +59,7 @@ def test_a_run_that_is_alone_is_refused_with_the_way_out(tmp_path):
 
 
 def test_one_that_is_too_short_to_be_cut_is_not_told_to_cut_it(tmp_path):
-    with pytest.raises(InvalidInput, match=r"too short to be cut so: 50 rows each"):
+    with pytest.raises(InvalidInput, match=r"too short to be cut so: 50 rows and 0.2 s each"):
         groups_of(_recorded(tmp_path, "", rows=120))
     with pytest.raises(InvalidInput, match=r'fit = \["piece 1"\], select = \["piece 1"\], report'):
         groups_of(_recorded(tmp_path, "pieces = 2", rows=120))

@@ -15,21 +15,17 @@ from ..scenario import Scenario
 from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
 from .axis.signals import SEEN, AxisSignals
 from .played_rate import check_rate, usual_step
+from .recordings.groups import PARTS
 from .recordings.map_units import PLAIN
 from .recordings.recording import Recording
 from .recordings.row_step import row_step
+from .recordings.shortest import lasts, longest_run, most_pieces, shortest
 
 #: What the channels of a straight and of a turning axis are.
 STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "force": "force",
             "current": "current"}  # fmt: skip
 TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", "torque": "torque",
            "current": "current"}  # fmt: skip
-#: The longest run must last so long [s]: less is no motion, and mostly a wrong unit of time.
-SHORTEST = 0.2
-#: ... of an axis let alone, which is predicted whole: a small motor stops in a tenth of a second.
-SHORTEST_ALONE = 0.02
-#: ... in rows no nearer than this [s]: seconds at 100 Hz that are called milliseconds are.
-FASTEST_ALONE = 5e-5
 #: Longest interval between samples of a driven axis [s]: half a second of prediction has five.
 SLOWEST = 0.1
 #: Longest interval between samples of an axis let alone [s]: a second is usual, and milliseconds
@@ -180,16 +176,19 @@ def _check_moving(recording: Recording) -> None:
                     "channel, and driven = false in the map"
                 )
             problems.add((), what, value, right)
-    longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))
-    whole = float(longest.time[-1] - longest.time[0])
-    slow = row_step(longest.time) >= FASTEST_ALONE
-    shortest = SHORTEST_ALONE if slow and not recording.map.driven else SHORTEST
-    if whole < shortest:
+    longest, least = longest_run(recording), shortest(recording)
+    if lasts(longest) < least:
         asked = "is the unit of time in the map right?"
-        if recording.map.pieces > 1 and whole * recording.map.pieces >= shortest:
-            asked = "are `pieces` in the map too many?"
-        right = f"at least {shortest:g} s; {asked}"
-        problems.add((), "the longest run is too short", f"{whole:.3g} s", right)
+        if (pieces := recording.map.pieces) > 1 and (most := most_pieces(recording)):
+            asked = f"`pieces` in the map are too many: at most {most} of this run are long enough"
+            if most < len(PARTS):
+                whole = lasts(longest) * pieces
+                asked = (
+                    f"a run of {whole:.3g} s is too short for `pieces`: record a longer one, or "
+                    "several"
+                )
+        right = f"at least {least:g} s; {asked}"
+        problems.add((), "the longest run is too short", f"{lasts(longest):.3g} s", right)
     step = row_step(longest.time)
     # A run let alone is predicted whole.
     slowest = SLOWEST if recording.map.driven else SLOWEST_ALONE

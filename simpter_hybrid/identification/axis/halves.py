@@ -23,7 +23,10 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
     """
     middle = middle_of(replay)
     if middle is None:
-        right = f"more than a window of {WINDOW:g} s, or other runs that select"
+        right = (
+            f"more than a window of {WINDOW:g} s ({2.0 * WINDOW:g} s where it is followed whole), "
+            "for it both fits and selects; or other runs that select"
+        )
         problem = Problem(replay.name, "", "too short", f"{replay.time[-1]:.3g} s", right)
         raise InvalidInput([problem])
     k = middle.index

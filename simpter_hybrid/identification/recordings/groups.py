@@ -10,6 +10,7 @@ from .at_gaps import as_boundaries
 from .checks import FEWEST, Finding
 from .recording import Recording
 from .runs import ONLY, name_of_whole
+from .shortest import lasts, longest_run, most_pieces, shortest, shortest_halved
 
 #: What a group may be for.
 PARTS = ("fit", "select", "report")
@@ -56,21 +57,29 @@ def _by_gaps(recording: Recording) -> str:
 def _by_pieces(recording: Recording, known: Sequence[str]) -> str:
     """Advice how cutting runs (`pieces`) would make three groups, or how two would do."""
     told = recording.map.pieces
-    shortest = min(run.time.size for run in recording.runs) * told
-    pieces = min(PIECES, shortest // FEWEST)
+    rows = min(run.time.size for run in recording.runs) * told
+    pieces = min(PIECES, rows // FEWEST, most_pieces(recording))
     if len(known) * pieces < len(PARTS) * told:
-        short = f"; these are too short to be cut so: {FEWEST} rows each are asked for"
-        first, last = known[0], known[-1]
+        long, least, three = lasts(longest_run(recording)), shortest(recording), len(PARTS)
+        short = (
+            f"; these are too short to be cut so: {FEWEST} rows and {least:g} s each are asked for "
+            f"({three * FEWEST} rows and {three * least:.2g} s for three), and there are {rows} "
+            f"rows in {long * told:.3g} s"
+        )
+        first, last, cut = known[0], known[-1], ""
         if len(known) == 1 and pieces >= 2:
             # As the pieces will be called: by their group, if runs have one.
             alone = recording.runs[0].name == ONLY and not recording.map.run_columns
             of = "" if alone else f"{first}, "
             first, last = f"{of}piece 1", f"{of}piece 2"
-            short += f"; pieces = {pieces} under its [runs]"
-        if first == last:
+            cut = f"; pieces = {pieces} under its [runs]"
+            long *= told / pieces
+        if first == last or long < shortest_halved(recording):
             return short
         both = f'fit = ["{first}"], select = ["{first}"], report = ["{last}"]'
-        return f"{short}, and a [split] in the map where one group both fits and selects: {both}"
+        return (
+            f"{short}{cut}, and a [split] in the map where one group both fits and selects: {both}"
+        )
     return (
         f", or a [split] in the map; pieces = {pieces} under its [runs] cuts each run into so many"
     )
