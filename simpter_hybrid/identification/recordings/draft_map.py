@@ -77,7 +77,9 @@ def _table(layout: Layout) -> list[str]:
     }
     said = [f"{k} = {_toml(v)}" for k, v in keys.items() if v is not None]
     if layout.columns:
-        said[-1] = _noted(said[-1], "no line names them: give them names")
+        unnamed = all(name == f"c{k}" for k, name in enumerate(layout.columns, 1))
+        why = "no line names them" if unnamed else "c1, c2 ... where their line names several alike"
+        said[-1] = _noted(said[-1], f"{why}: give them names")
     return ["", "[table]", *said] if said else []
 
 

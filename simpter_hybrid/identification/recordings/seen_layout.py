@@ -41,9 +41,21 @@ def seen_layout(source: str) -> Layout:
     lines = lines_of(source)
     for at, (line, following) in enumerate(pairwise(lines[: SOUGHT + 1])):
         row, after = _as_row(line), _as_row(following)
-        if any(row.holds) and len(row.holds) == len(after.holds) and any(after.holds):
+        if not any(row.holds) or len(row.holds) != len(after.holds) or not any(after.holds):
+            continue
+        told = not row.holds[0] and cells_of(line.text, row.mark)[0].strip()
+        if not told or not _usual_first(lines[at + 1 : at + SOUGHT], len(row.holds)):
             return _laid_out(lines[:at], line, row)
     return Layout()
+
+
+def _usual_first(below: Sequence[Line], count: int) -> bool:
+    """Whether most rows below begin with a number: a line that does not tells of the file.
+
+    ``Interval,0.001`` above rows of numbers is no row, though it holds one.
+    """
+    rows = [row.holds for row in map(_as_row, below) if len(row.holds) == count]
+    return 2 * sum(holds[0] for holds in rows) > len(rows)
 
 
 def _as_row(line: Line) -> _Row:
@@ -66,13 +78,28 @@ def _laid_out(above: Sequence[Line], first: Line, row: _Row) -> Layout:
     # A mark at the end of rows alone makes a cell more than there are names; in a column that is
     # seldom written the last cell is as blank.
     more = not cells_of(first.text, row.mark)[-1].strip()
-    heads = []
+    heads: list[Line] = []
     for line in reversed(above):
-        if count - len(cells_of(line.text, row.mark)) not in (0, more):
+        cells = cells_of(line.text, row.mark)
+        if count - len(cells) not in (0, more) or any(map(_is_value, cells)):
             break
         heads.append(line)
     if not heads:
         columns = tuple(f"c{k}" for k in range(1, count + 1))
         return Layout(rows=first.number if above else 0, decimal=row.decimal, columns=columns)
     names, between = heads[-1], len(heads) > 1
+    called = [name.strip() for name in cells_of(names.text, row.mark)]
+    alike = {name for name in called if name and called.count(name) > 1}
+    if alike and len(called) == count:
+        columns = tuple(
+            f"c{k}" if name in alike or not name else name for k, name in enumerate(called, 1)
+        )
+        return Layout(rows=first.number, decimal=row.decimal, columns=columns)
     return Layout(names.number if names is not above[0] else 0, first.number * between, row.decimal)
+
+
+def _is_value(cell: str) -> bool:
+    """Whether a cell is a date, or a number with more than digits, by which no column is called."""
+    cell = cell.strip()
+    readers = Layout().number, Layout(decimal=",").number, datetime.fromisoformat
+    return not cell.isdigit() and any(is_read(cell, read) for read in readers)
