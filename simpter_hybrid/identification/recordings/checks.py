@@ -121,6 +121,7 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
             right = f"{finer}one row of each stamp, where rows share one"
         elif back.size > OFTEN * steps.size:
             right += '; of intervals since = "the row before" in the map\'s [time]'
+            right += "; or another `column` there"
         yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", right, True)
 
 

@@ -14,6 +14,12 @@ from .shortest import lasts, longest_run, most_pieces, shortest, shortest_halved
 
 #: What a group may be for.
 PARTS = ("fit", "select", "report")
+#: What a group of each has to be, where none is named.
+OF_PART = {
+    "fit": ", to which parameters are fitted",
+    "select": " that does not fit, or the same as fit, for halves of each run",
+    "report": " that neither fits nor selects",
+}
 #: Into how many a single long run is cut, if it is long enough.
 PIECES = 4
 
@@ -154,10 +160,12 @@ def _check_split(recording: Recording, known: Sequence[str]) -> None:
     for part in PARTS:
         names = split.get(part, ())
         if not set(names) & set(known):
-            got = "; ".join(names) or "none"
-            problems.add(
-                ("split", part), "names no group that has runs", got, f"groups of runs; {there}"
-            )
+            what, got = "names no group that has runs", "; ".join(names)
+            right = f"groups of runs; {there}"
+            if not names:
+                what, got = "missing or empty", "[]"
+                right = f"at least one group of runs{OF_PART[part]}; {there}"
+            problems.add(("split", part), what, got, right)
     used = {*split.get("fit", ()), *split.get("select", ())}
     for name in split.get("report", ()):
         if name in used:

@@ -220,6 +220,7 @@ def _checked(
     """All runs with what is worth knowing of them; what makes one unusable goes to `problems`."""
     findings = []
     refused: Counter[str] = Counter()
+    timed: set[tuple[int, int]] = set()  # whole runs of which a piece was refused for its stamps
     wrong = Problems(described.source)
     too_late(runs, columns, described, wrong)
     too_fast(runs, columns, described, wrong)
@@ -242,15 +243,24 @@ def _checked(
             if not finding.fatal:
                 findings.append(finding)
                 continue
+            if finding.what.startswith("time"):
+                if run.whole.rows in timed:
+                    continue
+                timed.add(run.whole.rows)
             refused[finding.what] += 1
             if refused[finding.what] <= LISTED:
                 _refuse(finding, columns.places, problems)
+    _refuse_more(refused, problems)
+    return every, findings
+
+
+def _refuse_more(refused: Mapping[str, int], problems: Problems) -> None:
+    """How many more runs than are listed are refused, for each reason."""
     for what, count in refused.items():
         if count > LISTED:
             parted = "; do the columns under [runs] change where a run ends, and only there?"
             right = f"none{parted if what.startswith(('time', 'too few')) else ''}"
             problems.add((), f"{what}, in more runs", count - LISTED, right)
-    return every, findings
 
 
 def _whole(run: RecordedRun) -> dict[str, np.ndarray]:

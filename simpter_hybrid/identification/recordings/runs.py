@@ -101,6 +101,8 @@ def _counting(span: RunSpan, columns: Columns, described: RecordingMap) -> RunSp
         return span
     late, rounding = time - time[0], 1e-9 + 4.0 * float(np.spacing(np.nanmax(np.abs(time))))
     inside = np.flatnonzero((late >= begin - rounding) & (late <= end + rounding))
+    if inside.size == 0 and not (np.diff(time) > 0.0).all():  # which is said of the run, too
+        return span
     if inside.size == 0:
         got = f"{span.name} lasts {late[-1]:.4g} s"
         until = f" and up to {end:g} s" if np.isfinite(end) else ""
