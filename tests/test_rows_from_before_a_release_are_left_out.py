@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from axis_recordings import LET_ALONE, written
 
-from simpter_hybrid.identification.axis.recorded import as_axis, held_before
+from simpter_hybrid.identification.axis.recorded import as_axis, of_let_alone
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.recordings.channel_map import ChannelMap
@@ -45,7 +45,7 @@ def _swung(folder, held, channels=CHANNELS):
 
 def test_the_rest_is_left_out_and_told(tmp_path):
     recording = _swung(tmp_path, 0.8)
-    assert [f.run for f in held_before(recording)] == [r.name for r in recording.runs]
+    assert [f.run for f in of_let_alone(recording)] == [r.name for r in recording.runs]
     # A cosine of 0.5 rad has fallen by six deviations of its noise after 0.03 s.
     begins = [r.time[0] for r in recording.runs]
     assert begins == pytest.approx([0.83] * 3, abs=0.02)
@@ -57,7 +57,7 @@ def test_the_rest_is_left_out_and_told(tmp_path):
 
 def test_a_run_that_begins_when_it_is_let_go_is_left_as_it_is(tmp_path):
     recording = _swung(tmp_path, 0.0)
-    assert held_before(recording) == ()
+    assert of_let_alone(recording) == ()
     assert [r.rows[0] for r in recording.runs] == [0, 800, 1600]
 
 
@@ -87,7 +87,7 @@ def test_a_piece_that_goes_on_from_motion_is_in_motion(tmp_path, cut, moved, tol
 
 
 def test_what_a_clutch_lets_go_is_left_as_it_is(tmp_path):
-    assert held_before(_swung(tmp_path, 0.8, CHANNELS + PRESSED)) == ()
+    assert of_let_alone(_swung(tmp_path, 0.8, CHANNELS + PRESSED)) == ()
 
 
 @pytest.mark.parametrize(("held", "told"), [(0.0, 0), (0.8, 3)])
@@ -101,14 +101,14 @@ def test_a_steady_speed_is_no_rest(tmp_path, held, told):
         rows += [f"{take},{t:.4f},{v:.5f}" for t, v in zip(time, speed, strict=True)]
     described = CHANNELS.replace("position", "speed").replace('"rad"', '"rad/s"')
     recording = as_axis(written(tmp_path, rows, LET_ALONE + described))
-    assert len(held_before(recording)) == told
+    assert len(of_let_alone(recording)) == told
 
 
 def test_a_run_that_never_moves_is_left_as_it_is(tmp_path):
     recording = _swung(tmp_path, 0.0)
     still = {"position": np.random.default_rng(2).normal(0.3, NOISE, 800)}
     runs = tuple(replace(r, channels=still) for r in recording.runs)
-    assert held_before(as_axis(replace(recording, runs=runs))) == ()
+    assert of_let_alone(as_axis(replace(recording, runs=runs))) == ()
 
 
 @pytest.mark.parametrize("creeps", [0.0, 1.0, 2.0])

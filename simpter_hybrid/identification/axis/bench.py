@@ -33,7 +33,7 @@ from .opposed import opposed
 from .plan import Planned, axis_reach, followed, laid_down, planned_axis
 from .position_waves import drive_waves, end_met, waves_of
 from .pressed import of_what_presses
-from .recorded import held_before, placeless, scaled_force, taken_as_exact, unpressed, unused
+from .recorded import of_let_alone, placeless, scaled_force, taken_as_exact, unpressed, unused
 from .replays import axis_replays
 from .rig import AxisRig
 from .seen_drive import seen_drive
@@ -89,7 +89,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         limits=limits_of(searched, driven, signals, allowed is not None, fitted),
         noise=allowed, plain_first=allowed is not None and not (driven.alone or driven.servo),
         remarks=(
-            *told_start(recording), *held_before(recording), *unused(recording, signals.all),
+            *told_start(recording), *of_let_alone(recording), *unused(recording, signals.all),
             *taken_as_exact(recording), *unpressed(predictor, fitted[0], recording),
             *scaled_force(recording, declared), *seen_drive(searched, declared, signals),
             *(straight(searched, signals, length) if fitted[0].restarts else ()),

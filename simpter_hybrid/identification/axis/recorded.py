@@ -27,6 +27,7 @@ from ..recordings.logged import ASKED_OF
 from ..recordings.noise import noise_estimate
 from ..recordings.recording import Recording
 from ..recordings.releases import HELD, let_go
+from ..recordings.rest_level import LEVEL, rest_remarks
 from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.scenario_predictor import ScenarioPredictor
 from .prescribed_replays import PrescribedSignals
@@ -74,7 +75,8 @@ def as_axis(recording: Recording) -> Recording:
     if not recording.map.driven and s.press not in channels:
         told = s.speed if s.speed in channels else s.position
         runs, held = let_go(runs, channels, told)
-        findings = (*findings, *held, *driven_on(runs, channels[told], s.speed))
+        begun = driven_on(runs, channels[told], s.speed)
+        findings = (*findings, *held, *begun, *rest_remarks(runs, channels[told], s.speed))
     named = replace(recording.map, channels=channels)
     return replace(recording, map=named, runs=tuple(runs), findings=findings)
 
@@ -96,9 +98,9 @@ def _summed(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
     return cumulative_trapezoid(speed, time, initial=0.0)
 
 
-def held_before(recording: Recording) -> tuple[Finding, ...]:
-    """Remarks on rows from before an axis was let go, left out or not."""
-    return tuple(f for f in recording.findings if f.what in (HELD, DRIVEN_ON))
+def of_let_alone(recording: Recording) -> tuple[Finding, ...]:
+    """Remarks on how an axis let alone begins (rows left out or not), and where it rests."""
+    return tuple(f for f in recording.findings if f.what in (HELD, DRIVEN_ON, LEVEL))
 
 
 def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:
