@@ -79,7 +79,7 @@ def test_a_rig_that_nothing_drives_or_hardly_samples_is_refused(tmp_path, conten
         ('unit = "lbf*in"', 'unit = "1"', r"channels\.torque\.unit: plain numbers"),
         ('report = ["take 2"]', 'report = ["take 0"]', "not held out"),
         ('report = ["take 2"]', 'report = ["2"]', r'no group.*got "2"; expected groups.*take 2'),
-        ('report = ["take 2"]', "", r'split\.report.*got "none"; expected groups.*take 0'),
+        ('report = ["take 2"]', "", r"split\.report.*missing or empty.*group.*take 0"),
         (
             'torque]\ncolumn = "torque"\nunit = "lbf*in"',
             'current]\ncolumn = "torque"\nunit = "A"',

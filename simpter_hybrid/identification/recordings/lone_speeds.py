@@ -93,6 +93,7 @@ def lone_speed_remarks(
     runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
 ) -> Iterator[Finding]:
     """Remarks on speeds with such rows, one each, of each run."""
+    driven = any(channel.role == "input" for channel in channels.values())
     for run in runs:
         for name, channel in channels.items():
             values = run.channels.get(name)
@@ -102,11 +103,25 @@ def lone_speed_remarks(
             logged = beside in channels and not channels[beside].summed
             position = run.channels.get(beside) if logged else None
             for k in lone_speeds(run.time, values, position):
-                before, behind = (channel.written(values[j]) for j in (k - 1, k + 1))
-                right = (
-                    f"about what the rows beside it have ({before}, {behind}): if it was dropped "
-                    'or misread, blank its cell, with missing = "left out" under [table] in the map'
-                )
+                right = _right(channel, values[[k - 1, k + 1]], driven)
                 what = f"{name} {LONE}"
                 where = run.rows[0] + int(k), float(run.time[k])
                 yield Finding(run.name, what, channel.written(values[k]), right, *where)
+
+
+def _right(channel: ChannelMap, beside: np.ndarray, driven: bool) -> str:
+    """What to do: a row that is left out takes what drives with it, and was worse than a mean.
+
+    Without one row of 50 ms, in which a current stepped, a model seemed to lack something else.
+    """
+    before, behind = (channel.written(value) for value in beside.tolist())
+    mend = 'blank its cell, with missing = "left out" under [table] in the map'
+    if driven:
+        mend = (
+            f"write the mean of these, {channel.number(float(np.mean(beside))):.6g}, in its cell "
+            "(the row stays, for what drives)"
+        )
+    return (
+        f"about what the rows beside it have ({before}, {behind}): if it was dropped or misread, "
+        f"{mend}"
+    )

@@ -34,8 +34,7 @@ def odd_rows_sentence(findings: Sequence[Finding]) -> str:
         rows = _listed([f"{f.what.split()[0]} {f.value}, {f.run}, t = {f.time:g} s" for f in lone])
         said.append(
             f"Was a reading dropped or misread ({rows})? A single such row may decide what is "
-            'named: blank its cell, with missing = "left out" under [table] in the map, and '
-            "diagnose again."
+            "named: mend its cell as the remark on the recording says, and diagnose again."
         )
     return " ".join(said)
 
