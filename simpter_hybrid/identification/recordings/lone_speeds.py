@@ -1,6 +1,6 @@
 """Single rows of a speed that stand far out of those beside them: a dropped or misread number.
 
-One such row of three hundred decided a verdict.  What moves takes several rows to stop or to start,
+One such row of fifty decided a verdict.  What moves takes several rows to stop or to start,
 and a stop lasts; one row of rest in the middle of a motion is a sensor's.
 """
 
