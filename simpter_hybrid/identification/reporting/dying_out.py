@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import chain
 
 import numpy as np
 from scipy.stats import spearmanr
@@ -11,6 +12,7 @@ from ..fitting.replay import Replay
 from ..result import Diagnosis
 from ..tracing.named import coordinate_of
 from ..tracing.verdict import GROWING
+from .recorded_speeds import recorded_speeds
 
 #: Over all runs together the sizes of swings go by the time if their rank correlation is beyond
 #: this: of decays from sizes that differ by up to 1.3 times it is -0.96 to -1, from one size and a
@@ -44,10 +46,19 @@ def dying_out_sentence(found: Diagnosis) -> str:
 
 
 def dies_out(replays: Iterable[Replay]) -> bool:
-    """Whether over all runs together recorded swings are the smaller the later they are."""
+    """Whether over all runs together recorded swings are the smaller the later they are.
+
+    Those of every coordinate: one that swings on tells time from the size of its motion.
+    """
     # A piece of a run goes on from those before it, and of two such the later one knows more.
     whole = {piece[0].name: piece for piece in sorted(map(_since_beginning, replays), key=len)}
-    swings = [each for pieces in whole.values() for each in _swings(pieces)]
+    runs = [_swings(pieces) for pieces in whole.values()]
+    together = [list(chain.from_iterable(swings)) for swings in zip(*runs, strict=False)]
+    return bool(together) and all(map(_shrink, together))
+
+
+def _shrink(swings: Sequence[tuple[float, float]]) -> bool:
+    """Whether swings of one coordinate are the smaller the later they are."""
     most = max((size for _, size in swings), default=0.0)
     times, sizes = np.array([s for s in swings if s[1] > MOVING * most]).reshape(-1, 2).T
     if sizes.size < FEWEST or np.ptp(times) == 0.0 or np.ptp(sizes) == 0.0:
@@ -63,12 +74,17 @@ def _since_beginning(replay: Replay) -> list[Replay]:
     return pieces
 
 
-def _swings(pieces: Sequence[Replay]) -> list[tuple[float, float]]:
-    """When each motion one way is fastest [s], and how fast; none that goes on beyond the rows."""
-    if not all("speed" in piece.notes for piece in pieces):
-        return []
-    speed = np.concatenate([piece.notes["speed"] for piece in pieces])
+def _swings(pieces: Sequence[Replay]) -> list[list[tuple[float, float]]]:
+    """Of each coordinate: when it is fastest in each motion one way [s], and how fast.
+
+    None that goes on beyond the rows.
+    """
     time = np.concatenate([piece.stamp - pieces[0].stamp + piece.time for piece in pieces])
+    courses = zip(*map(recorded_speeds, pieces), strict=False)
+    return [_turns(time, np.concatenate(speeds)) for speeds in courses]
+
+
+def _turns(time: np.ndarray, speed: np.ndarray) -> list[tuple[float, float]]:
     ways = np.split(np.arange(speed.size), np.flatnonzero(np.diff(np.sign(speed))) + 1)
     fastest = (way[np.argmax(np.abs(speed[way]))] for way in ways if way.size)
     return [(float(time[k]), float(abs(speed[k]))) for k in fastest if 0 < k < speed.size - 1]

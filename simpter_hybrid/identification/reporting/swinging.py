@@ -14,6 +14,7 @@ from ..result import Diagnosis
 from ..tracing.named import balance_of
 from ..tracing.ringing import RINGING
 from ..tracing.swings import Line, lines_of, of_the_motion, same_line
+from .recorded_speeds import recorded_speeds
 
 #: Runs that are listed.
 LISTED = 3
@@ -23,7 +24,7 @@ HARDLY = "sliding friction would hardly do that"
 def swinging_sentence(found: Diagnosis, told: HeldOutPredictions) -> str:
     """Sentence on the frequency at which what is left swings in several runs; "" without one.
 
-    Only of recorded motions (of axes and joints), and where these do not do it themselves.
+    Only of recorded motions, and where these do not do it themselves.
     """
     done = found.search
     if done.verdict.kind in ("nothing missing", "effect"):
@@ -59,7 +60,7 @@ def _own_lines(
         if (line := found.get(replay.name)) is None:
             continue
         step = row_step(replay.time)
-        speeds = [v for name, v in replay.notes.items() if name.startswith("speed")]
+        speeds = recorded_speeds(replay)
         if not speeds or any(of_the_motion(line.frequency, v, step) for v in speeds):
             del found[replay.name]
     return found
