@@ -61,6 +61,8 @@ class DiagnosisReport:
         What every candidate takes away on the runs held out.
     next_runs : tuple of NextRun
         Those to make next, the first first.
+    failed : tuple of Exception
+        Of remarks that could not be made: raised when the report has been saved.
     """
 
     found: Diagnosis
@@ -71,6 +73,7 @@ class DiagnosisReport:
     stages: HeldOutPredictions
     gains: Any
     next_runs: tuple[NextRun, ...] = ()
+    failed: tuple[Exception, ...] = ()
 
     def __str__(self) -> str:
         return "\n".join(sentences(self.data))
@@ -108,6 +111,8 @@ class DiagnosisReport:
             self._put(Path(directory), {}, overwrite)
             raise
         self._put(Path(directory), drawn, overwrite)
+        if self.failed:
+            raise self.failed[0]
         return Path(directory)
 
     def _put(self, directory: Path, drawn: Mapping[str, bytes], overwrite: bool) -> None:
@@ -176,7 +181,8 @@ def _diagnosed(
     gains = held_out_gains(found.search, found.split.report, **of_best)
     stages = held_out_predictions(found)
     planned = next_runs(seen, found.recording or recording)
-    data = diagnosis_data(found, recording, stages, seen, trials, gains, planned)
+    failed: dict[str, Exception] = {}
+    data = diagnosis_data(found, recording, stages, seen, trials, gains, planned, failed)
     data["data"]["sha256"] = dict(request.digests)
     data["asked"], data["left_out"] = request.asked, request.left_out
     model = corrected(found, f"{name}-corrected")
@@ -193,7 +199,8 @@ def _diagnosed(
     asked = tuple(planned[n] for n in advised(found, seen, unseen(found, seen)) if n in planned)
     if table := next_runs_csv(asked):
         files["run_next.csv"] = table
-    return DiagnosisReport(found, data, model, text, files, stages, gains, asked)
+    wrong = tuple(failed.values())
+    return DiagnosisReport(found, data, model, text, files, stages, gains, asked, wrong)
 
 
 def _headed(name: str, data: Mapping[str, Any], text: str) -> str:

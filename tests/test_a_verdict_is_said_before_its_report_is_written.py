@@ -19,7 +19,8 @@ DATA = {
     "at_limit": "", "unsized": "", "uneven": "", "unsteady": "", "one_run": "", "or_sensor": "",
     "unborne": "", "outdone": "", "late_speed": "", "less_drag": "", "ruling_run": "", "apart": "",
     "passed_over": "", "driver": "", "left_out": "", "spoilt": "", "one_direction": "",
-    "beyond_fitted": "", "pace": "", "dying_out": "", "odd_rows": "", "run_to_run": None,
+    "beyond_fitted": "", "pace": "", "dying_out": "", "failed": "",
+    "odd_rows": "", "run_to_run": None,
 }  # fmt: skip
 
 

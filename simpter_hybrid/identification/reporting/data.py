@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import zip_longest
 from typing import Any
 
@@ -62,6 +62,7 @@ from .one_run import holding_sentence
 from .pace import pace_sentence
 from .parameters import parameter_rows
 from .refits import one_factor_text, refits_told
+from .remarks import failed_sentence, made
 from .repeating_sentence import repeating_sentence
 from .round_data import round_data
 from .run_errors import errors_of_runs
@@ -94,11 +95,12 @@ def diagnosis_data(
     trials: FalseAlarms | None = None,
     gains: Sequence[Sequence[HeldOutGain]] = (),
     planned: Mapping[str, NextRun] | None = None,
+    failed: dict[str, Exception] | None = None,
 ) -> dict[str, Any]:
     """Everything a reader of the JSON needs; numbers in SI units.
 
     `told` and `gains` (of the candidates of each round) are of the runs held out; `planned` are the
-    runs that could be made next.
+    runs that could be made next; `failed` takes up remarks that fail, which are raised without it.
     """
     done, taken = found.search, found.recording or recording
     parameters, errors = parameter_rows(found), _errors(found, taken, told)
@@ -107,14 +109,17 @@ def diagnosis_data(
     return {
         "verdict": done.verdict.kind,
         "straight": is_straight(found),
-        **_sentences(found, recording, told),
-        "refit": refits_told(found, parameters),
-        "spoilt": spoilt_told(found, errors["error_of_experiments"], of_runs),
-        "uneven": uneven_sentence(found, errors["error_of_experiments"], of_runs),
-        "unsized": sizes_told(found, parameters, gains),
-        "unborne": unborne_sentence(found, gains),
-        "outdone": outdone_sentence(found, gains),
-        "unsteady": unsteady_sentence(floors),
+        **made(_sentences(found, recording, told), failed),
+        **made({
+            "refit": lambda: refits_told(found, parameters),
+            "spoilt": lambda: spoilt_told(found, errors["error_of_experiments"], of_runs),
+            "uneven": lambda: uneven_sentence(found, errors["error_of_experiments"], of_runs),
+            "unsized": lambda: sizes_told(found, parameters, gains),
+            "unborne": lambda: unborne_sentence(found, gains),
+            "outdone": lambda: outdone_sentence(found, gains),
+            "unsteady": lambda: unsteady_sentence(floors),
+        }, failed),
+        "failed": failed_sentence(failed or {}),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
         "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},
@@ -159,46 +164,48 @@ def _sight(
     }
 
 
-def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions) -> dict[str, str]:
+def _sentences(
+    found: Diagnosis, recording: Recording, told: HeldOutPredictions
+) -> dict[str, Callable[[], str]]:
     """The verdict in words, and what has to be known of it; "" what does not apply."""
     verdict, taken = found.search.verdict, found.recording or recording
     unfitted = len(not_fitted(found))
     return {
-        "sentence": in_view_of(
+        "sentence": lambda: in_view_of(
             recording.still, verdict_sentence(found) + one_factor_text(found), found.doubts,
             found.cut_short, unfitted, found.far_off, of=len(found.candidates),
         ),
-        "doubted": doubted_sentence(found.doubts),
-        "apart": apart_sentence(recording, found.doubts),
-        "far_off": far_off_sentence(found.far_off, _inverse(found, taken)),
-        "driver": driver_sentence(found.remarks),
-        "pace": pace_sentence(told),
-        "ruling_run": ruling_run_sentence(found.ruling_run),
-        "cut_off": cut_off_sentence(recording.findings),
-        "odd_rows": odd_rows_sentence((*recording.findings, *found.remarks)),
-        "cut_short": cut_short_sentence(found.cut_short, unfitted, found.interrupted),
-        "kind": class_sentence(found),
-        "or_sensor": or_sensor_sentence(found),
-        "at_limit": at_limit_sentence(found),
-        "less_drag": declared_sentence(found),
-        "worse": worse_sentence(found),
-        "harmful": harmful_sentence(found),
-        "few_windows": few_windows_sentence(found, told),
-        "one_run": holding_sentence(found),
-        "hardly_fitted": hardly_fitted_sentence(found),
-        "beyond_fitted": beyond_fitted_sentence(found, taken),
-        "passed_over": passed_over_sentence(found.search),
-        "repeated": repeated_sentence(
+        "doubted": lambda: doubted_sentence(found.doubts),
+        "apart": lambda: apart_sentence(recording, found.doubts),
+        "far_off": lambda: far_off_sentence(found.far_off, _inverse(found, taken)),
+        "driver": lambda: driver_sentence(found.remarks),
+        "pace": lambda: pace_sentence(told),
+        "ruling_run": lambda: ruling_run_sentence(found.ruling_run),
+        "cut_off": lambda: cut_off_sentence(recording.findings),
+        "odd_rows": lambda: odd_rows_sentence((*recording.findings, *found.remarks)),
+        "cut_short": lambda: cut_short_sentence(found.cut_short, unfitted, found.interrupted),
+        "kind": lambda: class_sentence(found),
+        "or_sensor": lambda: or_sensor_sentence(found),
+        "at_limit": lambda: at_limit_sentence(found),
+        "less_drag": lambda: declared_sentence(found),
+        "worse": lambda: worse_sentence(found),
+        "harmful": lambda: harmful_sentence(found),
+        "few_windows": lambda: few_windows_sentence(found, told),
+        "one_run": lambda: holding_sentence(found),
+        "hardly_fitted": lambda: hardly_fitted_sentence(found),
+        "beyond_fitted": lambda: beyond_fitted_sentence(found, taken),
+        "passed_over": lambda: passed_over_sentence(found.search),
+        "repeated": lambda: repeated_sentence(
             found.repeated, found.over_noise, told_apart_by_the_model(found, taken)
         ),
-        "between_rows": held_drives_sentence(found, recording),
-        "creeping": creeping_sentence(told, taken),
-        "swings": swinging_sentence(found, told),
-        "repeats": repeating_sentence(found),
-        "one_direction": one_direction_sentence(found),
-        "dying_out": dying_out_sentence(found),
-        "no_place": no_place_sentence(recording, verdict),
-        "late_speed": of_late_speed(found, recording),
+        "between_rows": lambda: held_drives_sentence(found, recording),
+        "creeping": lambda: creeping_sentence(told, taken),
+        "swings": lambda: swinging_sentence(found, told),
+        "repeats": lambda: repeating_sentence(found),
+        "one_direction": lambda: one_direction_sentence(found),
+        "dying_out": lambda: dying_out_sentence(found),
+        "no_place": lambda: no_place_sentence(recording, verdict),
+        "late_speed": lambda: of_late_speed(found, recording),
     }  # fmt: skip
 
 

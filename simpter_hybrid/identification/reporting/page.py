@@ -32,7 +32,7 @@ td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 #: Sentences above the verdict ...
 DOUBTED = (
-    "doubted", "apart", "far_off", "pace", "driver", "ruling_run", "cut_off", "odd_rows",
+    "failed", "doubted", "apart", "far_off", "pace", "driver", "ruling_run", "cut_off", "odd_rows",
     "cut_short",
 )  # fmt: skip
 #: ... and below it.
