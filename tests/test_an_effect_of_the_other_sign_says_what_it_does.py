@@ -5,7 +5,7 @@ from types import SimpleNamespace as Some
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.reporting.sentences import _other_way
+from simpter_hybrid.identification.reporting.other_ways import other_way
 
 
 def _found(**values):
@@ -24,13 +24,13 @@ def _found(**values):
     ],
 )
 def test_only_where_it_has_it(found, name, said):
-    told = _other_way(found, name)
+    told = other_way(found, name, found.search.corrected.values)
     assert told.startswith(said)
     assert bool(told) == bool(said)
 
 
 @pytest.mark.parametrize(("late", "held"), [(-0.0005, True), (-0.002, False), (-0.0001, False)])
 def test_part_of_a_row_is_what_a_drive_that_holds_makes_late(late, held):
-    assert (
-        "as a drive that holds" in _other_way(_found(force_delay__delay=late), "force-delay")
-    ) is held
+    found = _found(force_delay__delay=late)
+    told = other_way(found, "force-delay", found.search.corrected.values)
+    assert ("as a drive that holds" in told) is held

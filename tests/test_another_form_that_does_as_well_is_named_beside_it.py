@@ -15,7 +15,8 @@ def tried(name, select, family="velocity", simpler="", contains=(), at=()):
     candidate = SimpleNamespace(
         name=name, family=family, simpler=simpler, contains=contains, at=at,
     )  # fmt: skip
-    return SimpleNamespace(candidate=candidate, select_error=select)
+    fit = SimpleNamespace(values={})
+    return SimpleNamespace(candidate=candidate, select_error=select, fit=fit)
 
 
 NAMED = tried("degressive by clutch", 1.181)

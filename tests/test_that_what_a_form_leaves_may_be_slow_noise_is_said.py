@@ -14,7 +14,8 @@ from simpter_hybrid.identification.tracing.verdict import Verdict
 def said(last, limits=SINGLE, kind="form incomplete", first=None, error=1.51):
     rise = Some(name="load-dependent", at=(), family="load", acts_on="friction", parameters=())
     model = Some(effects=(rise,), select_error=error, values={}, residuals=np.full(9, error))
-    rivals = Some(candidate=Some(name="drift", family="drift", declared=()))
+    drift = Some(name="drift", family="drift", declared=())
+    rivals = Some(candidate=drift, fit=Some(values={}))
     first = Verdict(
         first or kind, Some(candidate=rise), (rivals,) if kind != "form incomplete" else ()
     )

@@ -8,7 +8,6 @@ from typing import Any
 from ..false_alarms import FalseAlarms
 from ..fitting.fitted_model import Trial
 from ..fitting.predictor import Candidate
-from ..recordings.row_step import row_step
 from ..result import Diagnosis
 from ..run_levels import differs
 from ..tracing.locating import LEAST_RINGING
@@ -21,25 +20,13 @@ from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence, noise_left_text
 from .level_sentences import levels_text
 from .meaning import INCOMPLETE, OR_NOISE, meaning
+from .other_ways import other_way
 
 #: Family of what changes all that drives an axis by one factor.
 DRIVE_GAIN = "drive gain"
-#: Effect -> its size, and what it does where that is below 0.
-OTHER_WAY = {
-    "degressive-speed": ("degressive-speed.rise", "friction falls with speed, ever less"),
-    "logarithmic-speed": ("logarithmic-speed.rise", "friction falls with speed"),
-    "stribeck": ("stribeck.rise", "friction rises with speed, to a level"),
-    "stribeck-2": ("stribeck-2.rise", "friction rises with speed, to a level"),
-    "thermal-fade": ("thermal-fade.fade", "friction rises as it warms"),
-    "sensor delay": ("sensor delay.delay", "the sensor is early, or all others are late"),
-    "force-delay": ("force-delay.delay", "the sensor is early, or what it measures acts late"),
-}
-
 #: Beyond so many times the floor what is still missing may be what an effect stands for: a drag and
 #: a dead time of a driver were two wrong drags at 132 times.
 GUESSED = 10.0
-#: What acts so many rows later than it is read may hold its value between them, or be set anew.
-OF_A_ROW = 0.2, 0.8
 
 
 def verdict_sentence(found: Diagnosis) -> str:
@@ -72,8 +59,10 @@ def _of_effects(found: Diagnosis) -> str:
 def _named(found: Diagnosis) -> str:
     verdict, effects = found.search.verdict, found.search.corrected.effects
     ratio, held = found.search.corrected.select_error / found.search.floor, held_out_text(found)
+    values = found.search.corrected.values
     named = (
-        e.name + _at(e) + _other_way(found, e.name) + _or_form(found, e.name) + _or_all(found, e)
+        f"{e.name}{_at(e)}{other_way(found, e.name, values)}{_or_form(found, e.name)}"
+        f"{_or_all(found, e)}"
         for e in effects
     )
     text = " and ".join(named) or "an effect"
@@ -117,22 +106,15 @@ def _at(effect: Candidate) -> str:
     return f" (of {', '.join(others)}{' and ' if others else ''}{last} alone)" if last else ""
 
 
-def _other_way(found: Diagnosis, name: str) -> str:
-    """Words on what an effect does if its size has the unusual sign; else ""."""
-    size, says = OTHER_WAY.get(name, ("", ""))
-    late = found.search.corrected.values.get(size, 0.0)
-    if late >= 0.0:
-        return ""
-    if name == "force-delay" and found.fitted:
-        rows = -late / row_step(found.fitted[0].time)
-        if OF_A_ROW[0] <= rows <= OF_A_ROW[1]:
-            says += f", by {rows:.2g} rows: as a drive that holds between rows does (`held`)"
-    return f" (here {says})"
-
-
 def _or_form(found: Diagnosis, name: str) -> str:
-    near = forms_of(found, name)
+    near = [_tried(found, t) for t in found.forms.get(name, ())]
     return f" (or, of the same kind, {', '.join(near)})" if near else ""
+
+
+def _tried(found: Diagnosis, trial: Trial) -> str:
+    """Name of what else would do, with what it does there."""
+    name = trial.candidate.name
+    return name + other_way(found, name, trial.fit.values)
 
 
 def _or_all(found: Diagnosis, effect: Candidate) -> str:
@@ -163,7 +145,7 @@ def doubts(found: Diagnosis) -> list[str]:
         # A rival that a later round has added is no rival any more.
         others = [t for t in verdict.rivals if t.candidate.family not in families]
         if others:
-            also = ", ".join(t.candidate.name + _how_far_off(found, t) for t in others)
+            also = ", ".join(_tried(found, t) + _how_far_off(found, t) for t in others)
             said.append(f"do not exclude {also} in place of {best.name}")
         if verdict.as_well:
             known |= {*verdict.as_well}
