@@ -31,8 +31,9 @@ def command_row(rec, k):
 class ReplayedCommands(Controller):
     """Holds the recorded commands of a run with several clutches.
 
-    ``rec`` holds: number of rows, of clutches, of knots of the tip force and the time between them
-    [s]; a row of commands [V] for every sample instant; the knots, read by ``ReplayedTipForce``.
+    ``rec`` holds: number of rows, of their columns, of knots of the tip force and the time between
+    them [s]; a row for every sample instant: commands [V], and in two more columns, if there are
+    any, the tip force that is held along x and y [N]; the knots, read by ``ReplayedTipForce``.
     """
 
     uses: ClassVar[tuple] = (command_row,)
@@ -42,3 +43,17 @@ class ReplayedCommands(Controller):
         row = command_row(rec, k)
         for i in range(m):
             held[i] = rec[row + i]
+
+
+@dataclass(frozen=True)
+class ReplayedPush(Controller):
+    """Holds the recorded tip force of a run: the last two columns of `ReplayedCommands`' rows."""
+
+    holds: ClassVar[tuple[str, ...]] = ("hand_x", "hand_y")
+    uses: ClassVar[tuple] = (command_row,)
+
+    @staticmethod
+    def step(k, rec, m, held, at_hand_x, at_hand_y):
+        row = command_row(rec, k) + m
+        held[at_hand_x] = rec[row]
+        held[at_hand_y] = rec[row + 1]

@@ -37,7 +37,9 @@ def tip_bench(
     """Replays by tip force and commands; the library on all clutches and joints."""
     device = declared.device
     n, m = device.n, device.m
-    predictor = ScenarioPredictor(declared, TipRig())
+    forces = zip(TipSignals().force, TipSignals().held(recording), strict=True)
+    holding = frozenset(name for name, held in forces if held != "sampled")
+    predictor = ScenarioPredictor(declared, TipRig(holds=bool(holding)))
 
     def made(recording: Recording, part: str) -> list[Replay]:
         return tip_replays(recording, groups[part])
@@ -57,7 +59,8 @@ def tip_bench(
     def tracer(replays: Sequence[Replay]) -> Tracer:
         return TipTracer(inertia, m, device, turn)
 
-    allowed = InputNoise(predictor, recording, tip_replays)
+    # A sensor saw the force, whatever the map says of what it was between rows.
+    allowed = InputNoise(predictor, recording, tip_replays, sensed=holding)
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         model, reach = predictor.scenario(values), tip_reach(declared, parts["fit"])

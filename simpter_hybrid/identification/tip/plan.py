@@ -89,7 +89,13 @@ def planned_recording(
         )
         asked[name] = {f"{signals.position}_{j + 1}": x for j, x in enumerate(plan.pose)}
         asked[name] |= {f"{signals.command}_{i + 1}": x for i, x in enumerate(plan.commands)}
-    return replace(recording, source="planned", runs=tuple(runs), findings=()), asked
+    # However the force was played, a sensor sees what an arm does.
+    mapped = {
+        name: replace(one, held="sampled") if name in signals.force else one
+        for name, one in recording.channels.items()
+    }
+    planned = replace(recording.map, channels=mapped)
+    return replace(recording, source="planned", map=planned, runs=tuple(runs), findings=()), asked
 
 
 def _hand(model: Scenario, reach: TipReach, tips: Sequence[np.ndarray]) -> FollowingHand:

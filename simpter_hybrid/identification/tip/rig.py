@@ -15,13 +15,16 @@ from itertools import pairwise
 import numpy as np
 
 from ...applied_load import Load
-from ...controllers.replayed_commands import ReplayedCommands
+from ...controller import Controller
+from ...controllers.replayed_commands import ReplayedCommands, ReplayedPush
 from ...device import Device
+from ...loads.hand import HeldTipForce
 from ...loads.replayed_force import ReplayedTipForce
 from ...loads.tip_spring import TipSpring
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Observation, Replay
+from ..recordings.channel_map import HELD
 from ..recordings.logged import told_of_run
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
@@ -33,6 +36,7 @@ from ..rigs.rig import Rig, driven_by, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_values
 from ..rigs.start_state import later_starts, state_at_zero
+from .held_force import held_means
 from .sensors import read_angles, sensed, sensor_errors, sensor_keys
 
 #: Length of a free prediction [s].
@@ -45,6 +49,8 @@ SMOOTHED = 0.018
 PARABOLA, SAME = 2, 1e-6
 #: Fewest rows between gaps in which a window begins; time after which a command is forgotten [s].
 FEWEST, FORGETS = 8, 0.5
+#: Note of a replay: how its force goes on between rows along x and y, by its number in `HELD`.
+FORCE_HELD = "force held"
 
 
 @dataclass(frozen=True)
@@ -68,6 +74,11 @@ class TipSignals:
     def commands(self, recording: Recording) -> list[str]:
         """``command_1`` and so on."""
         return numbered(recording, self.command)
+
+    def held(self, recording: Recording) -> tuple[str, str]:
+        """How the force goes on between rows, along x and y."""
+        x, y = (recording.channels[name].held for name in self.force)
+        return x, y
 
 
 def numbered(recording: Recording, name: str) -> list[str]:
@@ -106,6 +117,7 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
         "position": np.array([run.channels[n] for n in names]),
         "speed": np.array(speeds),
         "start_at": np.array(starts),
+        FORCE_HELD: np.array([HELD.index(held) for held in s.held(recording)]),
         "states": np.concatenate([rows[:, :, 0].T, rows[:, :, 1].T], axis=1),
     }
     return Replay(
@@ -160,9 +172,17 @@ def _with_recorded_hand(loads: Sequence[Load]) -> list[Load]:
 
 @dataclass(frozen=True)
 class TipRig(Rig):
-    """Drives a scenario by the recorded commands of its clutches and the force on its tip."""
+    """Drives a scenario by the recorded commands of its clutches and the force on its tip.
+
+    Parameters
+    ----------
+    signals : TipSignals
+    holds : bool
+        Whether a force is held from row to row, along x or y.
+    """
 
     signals: TipSignals = TipSignals()
+    holds: bool = False
 
     def template(self, declared: Scenario) -> Scenario:
         """The declared scenario driven by the record.
@@ -176,8 +196,13 @@ class TipRig(Rig):
             right = "a device with a tip, and a controller rate: that at which commands may change"
             what = "the model cannot be driven by a recorded tip force"
             raise InvalidInput([Problem(declared.name, "device", what, "the model", right)])
-        stages = ((ReplayedCommands(), 1), *handed_on(declared))
-        return driven_by(declared, stages, _with_recorded_hand(declared.loads))
+        stages: list[Controller] = [ReplayedCommands()]
+        loads = _with_recorded_hand(declared.loads)
+        if self.holds:
+            stages.append(ReplayedPush())
+            loads.append(HeldTipForce())
+        played = ((stage, 1) for stage in stages)
+        return driven_by(declared, (*played, *handed_on(declared)), loads)
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
         """The run with the force and the motion that its sensors must have seen."""
@@ -193,16 +218,21 @@ class TipRig(Rig):
         count = max(1, int(np.ceil(time[-1] / period)))
         at = np.searchsorted(time, np.arange(count) * period - SAME * step)
         rows = np.minimum(at, time.size - 1)
-        told = self._commands(replay)
-        commands = np.column_stack([command[rows] for command in told])
+        columns = [command[rows] for command in self._commands(replay)]
         knots = np.arange(count + 2) * period
-        curves = []
-        for name in self.signals.force:
-            force = replay.inputs[name]
-            curves.append(np.interp(knots, time, smoothed(force, step, SMOOTHED)))
-            curves.append(np.interp(knots, time, derivative(force, step, SMOOTHED)))
-        head = [count, len(told), knots.size, period]
-        return np.concatenate([head, commands.ravel(), np.column_stack(curves).ravel()])
+        curves, held = [], replay.notes[FORCE_HELD] if self.holds else (0, 0)
+        for name, how in zip(self.signals.force, held, strict=True):
+            force, nothing = replay.inputs[name], 0.0 * replay.inputs[name]
+            smooth = HELD[how] == "sampled"
+            if self.holds:
+                pushes = 0.0 * rows if smooth else held_means(knots[:-1], time, force, HELD[how])
+                columns.append(pushes)
+            for curve in (smoothed, derivative):
+                through = curve(force, step, SMOOTHED) if smooth else nothing
+                curves.append(np.interp(knots, time, through))
+        head = [count, len(columns), knots.size, period]
+        rows_and_knots = np.column_stack(columns).ravel(), np.column_stack(curves).ravel()
+        return np.concatenate([head, *rows_and_knots])
 
     def start(self, replay: Replay) -> np.ndarray:
         """q and qd at the first sample."""
