@@ -34,8 +34,8 @@ from simpter_hybrid.identification.rigs.effect_candidate import EffectCandidate
 from simpter_hybrid.identification.rigs.temperature import temperature_library
 from simpter_hybrid.identification.rotor.library import rotor_library
 from simpter_hybrid.identification.tip.candidates import tip_candidates
-from simpter_hybrid.identification.tip.joint_candidates import joint_candidates
-from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
+from simpter_hybrid.identification.tip.joint_candidates import joint_candidates, late_clutches
+from simpter_hybrid.identification.tip.structure import Scales, structure_candidates, torque_scales
 from simpter_hybrid.reading.kinds import shipped
 
 PAGE = Path(__file__).resolve().parent / "names-in-verdicts.md"
@@ -161,12 +161,14 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))
     arm = load(str(find_model("dfki_double_pendulum")))
     joints = joint_candidates(arm, (1.0, 1.0), 1.0, 1.0, (1.0, 1.0), (0, 1), (1.0, 1.0))
+    lags = tuple(replace(clutch, time_constant=0.03) for clutch in arm.clutches)
+    lagging = arm.replace(clutches=lags)
     warmed = temperature_library(1, 1, 293.0, 10.0, 1.0)
     return {
         "rotor": (*rotor_library(rotor), *warmed),
         "axis": (*axis, *pressed_library(1.0, True), *driven, *warmed),
         "robot": (*tip, *structure_candidates(robot, scales), *warmed),
-        "two joints": (*joints, *warmed),
+        "two joints": (*joints, *torque_scales(arm, ()), *late_clutches(lagging, (0, 1)), *warmed),
     }
 
 

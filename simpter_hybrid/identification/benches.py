@@ -49,7 +49,7 @@ from .rotor.traces import RotorTracer
 from .rotor.winding import winding
 from .steady_rows import where_rows_are_steady
 from .tip.bench import diagonal, tip_bench
-from .tip.joint_candidates import joint_candidates
+from .tip.joint_candidates import joint_candidates, late_clutches
 from .tip.rig import TipSignals
 from .tip.structure import torque_scales
 from .tracing.coordinates import turn_of
@@ -187,6 +187,7 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     kept = joint_candidates(declared, inertia, force, speed, turned, tuple(commands), travels)
     kept += temperature_candidates(declared, fitted, force, speed)
     kept += tuple(torque_scales(declared, [f"joint_{j + 1}:direction" for j in range(JOINTS)]))
+    kept += tuple(late_clutches(declared, tuple(commands)))
     limits = SINGLE_AXIS._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), lambda replays: tracer, kept, made, limits=limits,

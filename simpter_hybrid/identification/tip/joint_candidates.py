@@ -15,7 +15,8 @@ from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.effect_candidate import EffectCandidate
 from .candidates import SPEED, tip_candidates
-from .made import made, of_clutches
+from .made import SWITCHING, made, of_clutches
+from .structure import time_constants
 
 #: Coordinates on which a residual depends where a drive gives more, or comes late.
 SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
@@ -74,6 +75,15 @@ def joint_candidates(
     yielding = _giving_way(n, travels, alike=len(set(kinds)) == 1)
     beside = (*_of_directions(m, n, force), *yielding, *_of_loads(m, n), *_of_drives(n, turned))
     return (*kept, *beside)
+
+
+def late_clutches(declared: Scenario, commanded: Sequence[int]) -> Iterator[EffectCandidate]:
+    """Lags off their declared ones, of clutches that have one and whose commands were recorded."""
+    n, m = declared.device.n, declared.device.m
+    lagging = [i for i in commanded if declared.clutches[i].time_constant > 0.0]
+    told = (f"joint_{j + 1}:command_{i + 1}" for j in range(n) for i in lagging)
+    where = (*of_clutches(m, n, SWITCHING), *told)
+    yield from time_constants(declared, lagging, where)
 
 
 def _of_directions(m: int, n: int, f: float) -> Iterator[EffectCandidate]:

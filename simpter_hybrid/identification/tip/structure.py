@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import partial
 
@@ -24,6 +24,9 @@ UNITS = {
     "push_x": "N", "push_y": "N", "stiffness": "N/m", "damping": "N*s/m", "mass": "kg",
     "angle": "rad", "offset": "rad", "delay": "s",
 }  # fmt: skip
+
+#: The experiment that shows a lag.
+LAG_TEST = "Steps of the command up and down with one clutch slipping."
 
 
 @dataclass(frozen=True)
@@ -106,13 +109,24 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
         found.append(_freed("link-lengths", given, shifts, "lengths", "load", joints,
                             "Measure the links."))  # fmt: skip
     tau = [c.time_constant for c in declared.clutches]
-    steps = "Steps of the command up and down with one clutch slipping."
-    lag = partial(_freed, family=LAG, acts_on="actuator", where=switching, test=steps)
-    numbers = [[f"clutch.{i + 1}.time_constant"] for i in range(m)]
-    found += _of_clutches(TIME_CONSTANT, numbers, LAGS, lag)
-    found.append(_supply(m, tau, switching, steps))
-    found.append(late_commands(declared, range(m), switching, steps))
+    found += time_constants(declared, range(m), switching)
+    found.append(_supply(m, tau, switching, LAG_TEST))
+    found.append(late_commands(declared, range(m), switching, LAG_TEST))
     return [*found, *torque_scales(declared, [*switching, *joints])]
+
+
+def time_constants(
+    declared: Scenario, clutches: Collection[int], where: Sequence[str]
+) -> Iterator[EffectCandidate]:
+    """Candidates: lags of these clutches (from 0) off their declared ones."""
+    numbers = [[f"clutch.{i + 1}.time_constant"] for i in range(declared.device.m)]
+    lag = partial(_freed, family=LAG, acts_on="actuator", where=where, test=LAG_TEST)
+    for candidate in _of_clutches(TIME_CONSTANT, numbers, LAGS, lag):
+        if len(clutches) == len(numbers):
+            yield candidate
+        elif clutches and candidate.places:
+            own = candidate.only([str(i + 1) for i in clutches])
+            yield replace(own, plain="")
 
 
 def torque_scales(declared: Scenario, where: Sequence[str]) -> Iterator[EffectCandidate]:
