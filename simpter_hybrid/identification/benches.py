@@ -48,10 +48,11 @@ from .rotor.signals import RotorSignals
 from .rotor.traces import RotorTracer
 from .rotor.winding import winding
 from .steady_rows import where_rows_are_steady
-from .tip.bench import diagonal, tip_bench
+from .tip.bench import diagonal, middle, tip_bench
 from .tip.joint_candidates import joint_candidates, late_clutches
 from .tip.rig import TipSignals
 from .tip.structure import torque_scales
+from .tip.ways import ways_of
 from .tracing.coordinates import turn_of
 from .tracing.limits import SINGLE_AXIS
 from .tracing.traced import Tracer
@@ -177,14 +178,22 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     motors = tuple(motors_of(declared, j) for j in range(JOINTS))
     tracer = JointsTracer(declared, turn, motors)
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in stacked)
-    force = max(float(np.quantile(np.abs(tracer.drive(r, j)), 0.99))
-                for r in fitted for j in range(JOINTS))  # fmt: skip
+    forces = [
+        max(float(np.quantile(np.abs(tracer.drive(r, j)), 0.99)) for r in fitted)
+        for j in range(JOINTS)
+    ]
+    force = max(forces)
     turned = [turned_by(motors[j]) for j in range(JOINTS)]
     slips = [
         slip_travels(declared, r.time, r.notes["position"].T, r.notes["speed"].T) for r in stacked
     ]
     travels = np.max(slips, axis=0).tolist()
-    kept = joint_candidates(declared, inertia, force, speed, turned, tuple(commands), travels)
+    ways = ways_of(declared, stacked, inertia, force, speed, forces)
+    # Of angles that go far a constant force beside a spring does what a rest of its own would.
+    pose = middle(stacked).tolist() if ways.small else ()
+    kept = joint_candidates(
+        declared, inertia, force, speed, turned, tuple(commands), travels, pose, ways
+    )
     kept += temperature_candidates(declared, fitted, force, speed)
     kept += tuple(torque_scales(declared, [f"joint_{j + 1}:direction" for j in range(JOINTS)]))
     kept += tuple(late_clutches(declared, tuple(commands)))

@@ -26,6 +26,7 @@ from .plan import planned_recording, tip_reach
 from .rig import TipRig, TipSignals, tip_replays
 from .structure import Scales, structure_candidates
 from .traces import TipTracer
+from .ways import ways_of
 
 #: Time between poses of which the tip's speed is told [s].
 APART = 0.02
@@ -53,7 +54,7 @@ def tip_bench(
     ]  # fmt: skip
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in parts["fit"])
 
-    pose = _middle(parts["fit"]).tolist()
+    pose = middle(parts["fit"]).tolist()
     turn = tuple(turn_of(r.notes["position"][j] for r in parts["fit"]) for j in range(n))
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
@@ -70,8 +71,9 @@ def tip_bench(
         return replace(allowed, recording=future).weighed(values, runs)
 
     force = float(np.median(bends))
+    ways = ways_of(declared, parts["fit"], inertia, force, speed)
     tried = (
-        *tip_candidates(n, m, inertia, force, speed, "tilt by joint", pose),
+        *tip_candidates(n, m, inertia, force, speed, "tilt by joint", pose, ways),
         *temperature_candidates(declared, parts["fit"], force, speed),
         *structure_candidates(declared, scales(declared, parts["fit"])),
     )
@@ -102,15 +104,15 @@ def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
 def _heavy(declared: Scenario, replays: Sequence[Replay]) -> float:
     """A mass at the tip that takes half the device's inertia, in the mean of the poses [kg]."""
     n = declared.device.n
-    turn = evaluated(declared, "tip_jacobian", _middle(replays), (2, n))
+    turn = evaluated(declared, "tip_jacobian", middle(replays), (2, n))
     return 0.5 * max(diagonal(declared, replays)) / float(np.sum(turn**2))
 
 
 def diagonal(declared: Scenario, replays: Sequence[Replay]) -> tuple[float, ...]:
     """Inertia of every joint in the mean of the recorded poses [kg m^2]."""
-    return inertias(declared, _middle(replays))
+    return inertias(declared, middle(replays))
 
 
-def _middle(replays: Sequence[Replay]) -> np.ndarray:
+def middle(replays: Sequence[Replay]) -> np.ndarray:
     """Mean of the recorded poses (n,)."""
     return np.mean([r.notes["position"].mean(axis=1) for r in replays], axis=0)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import chain
+
+import numpy as np
 
 from ...effect import Effect
 from ...effects.added_inertia import AddedInertia
@@ -41,6 +43,7 @@ from ..rigs.declared_off import AT_A_LIMIT, TORQUE_SCALE
 from ..rigs.effect_candidate import EffectCandidate
 from .between import between_clutches
 from .made import SWITCHING, made, of_clutches
+from .ways import Ways, along_lengths, unit_ways
 
 #: (field, lower, upper, typical, start) of a parameter to fit ...
 Field = tuple[str, float, float, float, float]
@@ -49,11 +52,13 @@ Shape = tuple[str, float, float, float, tuple[float, ...]]
 #: Coordinates on which a residual may depend, by what the effect acts on.
 SPEED = ("speed", "slip_velocity", "direction")
 FRICTION = ("torque", "excitation", "heat", "distance", "time", *SPEED)
+#: Least and most stiffness of a spring along a length, in forces over the way: as of one axis.
+OF_LENGTHS = (-2.0, 20.0)
 
 
 def tip_candidates(
     n: int, m: int, inertia: Sequence[float], force: float, speed: float, tilt: str = "tilt",
-    pose: Sequence[float] = (),
+    pose: Sequence[float] = (), ways: Ways | None = None,
 ):  # fmt: skip
     """Every effect on all clutches or all joints alike, and with a size for each of them.
 
@@ -69,41 +74,59 @@ def tip_candidates(
         Name of a weight on every joint.
     pose : sequence of float, optional
         Pose in the middle of the record: springs are given a rest, looked for from there on.
+    ways : Ways, optional
+        Those of the record; if not given, of angles that go far.
 
     Returns
     -------
     tuple of EffectCandidate
         Those "by clutch" or "by joint" belong to the same family as the common one.
     """
-    clutch = [_on_clutches(m, n, *entry) for entry in clutch_effects(speed)]
-    joint = [_on_joints(n, *entry) for entry in joint_effects(inertia, force, speed, tilt)]
-    further = [replace(c, further=True) for e in further_waves() for c in _on_clutches(m, n, *e)]
+    ways = unit_ways((False,) * n, m, force, speed) if ways is None else ways
+    clutch = [_on_clutches(m, n, *entry) for entry in clutch_effects(ways)]
+    own = [joint_effects((inertia[j],) if ways.mixed else inertia, ways, j, tilt) for j in range(n)]
+    joint = [_on_joints(rows, ways) for rows in zip(*own, strict=True)]
+    further = [
+        replace(c, further=True) for e in further_waves(ways) for c in _on_clutches(m, n, *e)
+    ]
     found = (*chain.from_iterable((*joint, *clutch)), *further, *between_clutches(m, n))
+    found = tuple(_of_kinds(found, ways.lengths, tilt))
     if not len(pose):
         return found
-    return tuple(_springs(c, pose, force) if c.name == "spring-force" else c for c in found)
+    return tuple(_springs(c, pose, ways) if c.name == "spring-force" else c for c in found)
 
 
-def clutch_effects(v: float):
+def clutch_effects(ways: Ways):
     """(name, class, sizes, shared fields, coordinates, ...) of clutch effects."""
     share: Field = ("share", -0.5, 0.5, 0.01, 0.0)
+    way, v, slow = np.min(ways.slipped, axis=0).tolist()
+    far, fast, _ = np.max(ways.slipped, axis=0).tolist()
+
+    def each(column: int, *parts: float) -> tuple[float, ...]:
+        return tuple(part * kind[column] for kind in ways.slipped for part in parts)
+
+    fade, energy, warms = _by_heat(ways.work)
+    logarithmic = along_lengths(LogarithmicSpeed, ways, scale=lambda _, speed: 0.03 * speed)
+    by_place = along_lengths(PositionFriction, ways, turn=lambda slip, _: slip)
+    dwelling = along_lengths(DwellBreakaway, ways, distance=lambda slip, _: 0.01 * slip)
     return (
         ("stribeck", Stribeck, (("rise", -0.8, 1.5, 0.02, 0.02),),
-         (("fade", 0.01, 2 * v, 0.03 * v, (0.05 * v, 0.2 * v)),), SPEED),
-        ("logarithmic-speed", LogarithmicSpeed, (("rise", -0.4, 0.6, 0.01, 0.0),), (),
+         (("fade", slow, 2 * fast, 0.03 * v, each(1, 0.05, 0.2)),), SPEED),
+        ("logarithmic-speed", logarithmic, (("rise", -0.4, 0.6, 0.01, 0.0),), (),
          SPEED),
         ("degressive-speed", DegressiveSpeed, (("rise", -0.8, 2.0, 0.02, 0.02),),
-         (("scale", 0.01, 5 * v, 0.1 * v, (0.3 * v,)),), SPEED),
+         (("scale", slow, 5 * fast, 0.1 * v, each(1, 0.3)),), SPEED),
         ("asymmetry", Asymmetry, (share,), (), SPEED),
-        ("position-friction", PositionFriction, _waves("once"), (), ("position", "torque")),
-        ("position-friction-2", PositionFriction, _waves("once", "often"), (),
+        ("position-friction", by_place, _waves("once"), (), ("position", "torque")),
+        ("position-friction-2", by_place, _waves("once", "often"), (),
          ("position", "torque"), "position-friction"),
-        ("thermal-fade", ThermalFade, (("fade", -0.8, 5.0, 0.03, 0.02),),
+        ("thermal-fade", fade, (("fade", -0.8, warms, 0.03, 0.02),),
          (("cooling", 0.5, 100.0, 1.0, (2.0, 10.0)),), ("heat", "time", "torque")),
         ("wear-in", WearIn, (("change", -0.8, 1.0, 0.02, 0.02),),
-         (("scale", 0.05, 30.0, 0.2, (0.3, 2.0)),), ("distance", "time", "torque")),
+         (("scale", 0.05 * way, 30.0 * far, 0.2 * way, each(0, 0.3, 2.0)),),
+         ("distance", "time", "torque")),
         ("warm-up", WarmUp, (("change", -0.8, 1.0, 0.02, 0.02),),
-         (("energy", 1.0, 1e3, 3.0, (10.0, 50.0)),), ("distance", "heat", "time")),
+         (energy,), ("distance", "heat", "time")),
         ("drift", Drift, (("rate_per_time", -0.1, 0.2, 0.005, 0.0),), (), ("time", "torque")),
         # Begun inside the loop: one beside the declared map shifts all torque scales at once.
         ("play-hysteresis", PlayHysteresis, (("share", 0.0, 1.0, 0.02, 0.15),),
@@ -129,38 +152,61 @@ def clutch_effects(v: float):
         ("command-scale", CommandScale, (("gain", -0.5, 0.5, 0.01, 0.0),
                                          ("offset", -2.0, 2.0, 0.01, 0.0)), (),
          SWITCHING),
-        ("dwell-breakaway", DwellBreakaway, (("rise", 0.0, 0.5, 0.02, 0.02),), (), FRICTION),
+        ("dwell-breakaway", dwelling, (("rise", 0.0, 0.5, 0.02, 0.02),), (), FRICTION),
     )  # fmt: skip
 
 
-def further_waves():
+def _by_heat(work: float):
+    """`ThermalFade`, energies of a warm-up, and the most that friction fades.
+
+    By a `work` of the record [J]; by a robot's, of which 32 N m act over a radian, if that is 0.
+    """
+    if not work:
+        return ThermalFade, ("energy", 1.0, 1e3, 3.0, (10.0, 50.0)), 5.0
+    begins = (0.2 * work, 2 * work, 20 * work)
+    energy = ("energy", 0.01 * work, 1e3 * work, 0.03 * work, begins)
+    return partial(ThermalFade, energy=10 * work), energy, 200.0
+
+
+def further_waves(ways: Ways):
     """Rows as of `clutch_effects`: friction that repeats once and three or four times a turn."""
     where = ("position", "torque"), "position-friction"
     for n in FURTHER_WAVES:
-        wave = partial(PositionFriction, number=float(n))
+        one = partial(PositionFriction, number=float(n))
+        wave = along_lengths(one, ways, turn=lambda slip, _: slip)
         yield f"position-friction-{n}", wave, _waves("once", "often"), (), *where
 
 
-def joint_effects(inertia: Sequence[float], f: float, v: float, tilt: str):
-    """(name, class, fields with a size for each joint, coordinates) of joint effects."""
+def joint_effects(inertia: Sequence[float], ways: Ways, j: int, tilt: str):
+    """(name, class, fields with the sizes of a joint, coordinates) of joint effects."""
     mean = sum(inertia) / len(inertia)
+    f, v = ways.forces[j], ways.speeds[j]
+    low, high, pulled = _stiffness(ways, j)
+    drag = partial(DryDrag, width=0.01 * v) if ways.lengths[j] else DryDrag
     where = ("position", "time")
     return (
         ("viscous-drag", ViscousDrag, (("coefficient", -f / v, 2 * f / v, 0.003 * f / v, 0.0),),
          SPEED),
         ("quadratic-drag", QuadraticDrag,
          (("coefficient", -f / v**2, 2 * f / v**2, 0.003 * f / v**2, 0.0),), SPEED),
-        ("dry-drag", DryDrag, (("level", 0.0, f, 0.003 * f, 0.003 * f),), SPEED),
+        ("dry-drag", drag, (("level", 0.0, f, 0.003 * f, 0.003 * f),), SPEED),
         ("bias-force", BiasForce, (("bias", -f, f, 0.003 * f, 0.0),),
          (*where, "direction")),
         (tilt, Imbalance, (("cosine", -f, f, 0.003 * f, 0.0), ("sine", -f, f, 0.003 * f, 0.0)),
          where),
-        ("spring-force", SpringForce, (("stiffness", -f, f, 0.003 * f, 0.0),),
+        ("spring-force", SpringForce, (("stiffness", low, high, pulled, 0.0),),
          where),
         ("added-inertia", AddedInertia,
          (("inertia_change", -0.4 * mean, mean, 0.002 * mean, 0.0),),
          ("acceleration",)),
     )  # fmt: skip
+
+
+def _stiffness(ways: Ways, j: int) -> tuple[float, float, float]:
+    """Least and most stiffness of a joint, and a typical one: the joint's force over its way."""
+    stiff = ways.forces[j] / ways.joints[j]
+    low, high = OF_LENGTHS if ways.lengths[j] else (-1.0, 1.0)
+    return low * stiff, high * stiff, 0.003 * stiff
 
 
 def _on_clutches(
@@ -185,25 +231,50 @@ def _waves(*numbers: str) -> tuple[Field, ...]:
     return tuple((f"{n}_{part}", -0.5, 0.5, 0.01, 0.0) for n in numbers for part in ("cos", "sin"))
 
 
-def _on_joints(n: int, name: str, cls: type[Effect], fields, coordinates):
-    effects = tuple(cls(coordinate=j) for j in range(n))
+def _on_joints(rows: Sequence[tuple], ways: Ways):
+    """Candidates of one kind of effect, of which every joint has a row of `joint_effects`."""
+    name, _, fields, coordinates = rows[0]
+    n = len(rows)
+    effects = tuple(row[1](coordinate=j) for j, row in enumerate(rows))
     where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in coordinates)
     if name in ("viscous-drag", "quadratic-drag", "dry-drag"):
         yield made(name, fields, effects, where)
         name = f"{name} by joint"
-    each = tuple((f"{j + 1}.{f[0]}", *f[1:]) for j in range(n) for f in fields)
+    each = tuple((f"{j + 1}.{f[0]}", *f[1:]) for j, row in enumerate(rows) for f in row[2])
     yield made(name, each, effects, where)
 
 
-def _springs(fixed: EffectCandidate, pose: Sequence[float], f: float) -> EffectCandidate:
+def _of_kinds(
+    found: Sequence[EffectCandidate], lengths: Sequence[bool], tilt: str
+) -> Iterator[EffectCandidate]:
+    """Those that coordinates of these kinds may have."""
+    angles = [str(j + 1) for j, is_length in enumerate(lengths) if not is_length]
+    # Newtons and newton metres: no common size.
+    common = {c.plain for c in found if c.acts_on == "load" and c.plain} & {c.name for c in found}
+    common = common if len(set(lengths)) > 1 else set()
+    for c in found:
+        if c.name == tilt and len(angles) < len(lengths):
+            if angles:  # a weight is no sine of a length
+                yield c.only(angles)
+        elif c.name not in common:
+            yield replace(c, plain="") if c.plain in common else c
+
+
+def _springs(fixed: EffectCandidate, pose: Sequence[float], ways: Ways) -> EffectCandidate:
     """Springs of unknown rest: one that pulls to angle 0 is more of a constant force."""
     effects = tuple(SpringForce(coordinate=j, rest=float(q)) for j, q in enumerate(pose))
     own: list[Parameter] = []
     for j, q in enumerate(pose):
-        name = f"spring-force.{j + 1}"
-        own.append(Parameter(f"{name}.stiffness", 0.0, -f, f, 0.003 * f))
-        own.append(Parameter(f"{name}.rest", float(q), q - 2.0, q + 2.0, 0.05))
-    starts = tuple(tuple(x for q in pose for x in (k * f, float(q))) for k in (0.02, -0.02))
+        name, way = f"spring-force.{j + 1}", ways.joints[j]
+        # A cable's, or a counterweight's, may rest far beyond the way; no angle is farther off.
+        far = 20.0 * way if ways.lengths[j] else 2.0
+        own.append(Parameter(f"{name}.stiffness", 0.0, *_stiffness(ways, j)))
+        own.append(Parameter(f"{name}.rest", float(q), q - far, q + far, 0.05 * way))
+    stiff = [f / way for f, way in zip(ways.forces, ways.joints, strict=True)]
+    starts = tuple(
+        tuple(x for j, q in enumerate(pose) for x in (k * stiff[j], float(q)))
+        for k in (0.02, -0.02)
+    )
     sizes = tuple(p.name for p in own if p.name.endswith("stiffness"))
     return replace(
         fixed, parameters=tuple(own), starts=starts, effect=effects[0], more=effects[1:],

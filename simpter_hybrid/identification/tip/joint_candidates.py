@@ -17,6 +17,7 @@ from ..rigs.effect_candidate import EffectCandidate
 from .candidates import SPEED, tip_candidates
 from .made import SWITCHING, made, of_clutches
 from .structure import time_constants
+from .ways import Ways, along, unit_ways
 
 #: Coordinates on which a residual depends where a drive gives more, or comes late.
 SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
@@ -34,6 +35,8 @@ def joint_candidates(
     turned: Sequence[float],
     commanded: Sequence[int],
     travels: Sequence[float],
+    pose: Sequence[float] = (),
+    ways: Ways | None = None,
 ) -> tuple[EffectCandidate, ...]:
     """Every effect that is tried on two driven joints.
 
@@ -51,9 +54,14 @@ def joint_candidates(
         hold more after a rest.
     travels : sequence of float
         How far every clutch slipped [rad or m].
+    pose : sequence of float, optional
+        Pose in the middle of the record, from which on a spring's rest is looked for.
+    ways : Ways, optional
+        Those of the record; if not given, of a radian or a metre each.
     """
-    n, m, device = declared.device.n, declared.device.m, declared.device
-    found = tip_candidates(n, m, inertia, force, speed)
+    n, m = declared.device.n, declared.device.m
+    ways = unit_ways(along(declared), m, force, speed) if ways is None else ways
+    found = tip_candidates(n, m, inertia, force, speed, pose=pose, ways=ways)
     kept = [c for c in found if c.acts_on in KEPT]
     clutches = {str(i + 1) for i in commanded}
     for c in found:
@@ -63,16 +71,7 @@ def joint_candidates(
             kept.append(c)
         elif own := [place for place in c.places if place in clutches]:
             kept.append(c.only(own))  # and none of pairs of clutches
-    kinds = device.coordinate_dimensions or ("angle",) * n
-    angles = [str(j + 1) for j in range(n) if kinds[j] == "angle"]
-    # A weight is no sine of a length.
-    kept = [c.only(angles) if c.name == "tilt" and len(angles) < n else c for c in kept
-            if angles or c.name != "tilt"]  # fmt: skip
-    if len(set(kinds)) > 1:  # newtons and newton metres: no common size
-        common = {c.plain for c in kept if c.acts_on == "load" and c.plain}
-        kept = [c if c.plain not in common else replace(c, plain="") for c in kept]
-        kept = [c for c in kept if c.name not in common]
-    yielding = _giving_way(n, travels, alike=len(set(kinds)) == 1)
+    yielding = _giving_way(n, travels, alike=not ways.mixed)
     beside = (*_of_directions(m, n, force), *yielding, *_of_loads(m, n), *_of_drives(n, turned))
     return (*kept, *beside)
 
