@@ -15,6 +15,7 @@ from ...scenario import Scenario
 from ...units import is_unit
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
+from ..recordings.course import course_of
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import told_of_run
 from ..recordings.recording import RecordedRun, Recording
@@ -78,10 +79,11 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     for j in range(JOINTS):
         position, name = run.channels[f"{s.position}_{j + 1}"], f"{s.speed}_{j + 1}"
         speed = run.channels[name]
-        for row, k in enumerate(at):
-            span = slice(max(0, k - half), k + half + 1)
-            states[row, j] = local_fit(position[span], k - span.start)
-            states[row, JOINTS + j] = local_fit(speed[span], k - span.start)
+        for col, signal in ((j, f"{s.position}_{j + 1}"), (JOINTS + j, name)):
+            course = course_of(run, recording, signal)
+            for row, k in enumerate(at):
+                span = slice(max(0, k - half), k + half + 1)
+                states[row, col] = local_fit(course[span], k - span.start)
         observed[name] = observed_speed(run, recording, name, WEIGHT, run.compared(name))
         notes |= {f"{s.position}_{j + 1}": position, name: speed}
     played = [*(f"{s.drive}_{j + 1}" for j in range(JOINTS)), *s.commands(recording).values()]

@@ -17,6 +17,7 @@ import numpy as np
 
 from ..fitting.replay import Observation, Replay, Restart
 from ..recordings.clocks import within_row
+from ..recordings.course import course_of
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import told_of_run
 from ..recordings.noise import channel_noise, noise_in, run_noise
@@ -98,16 +99,18 @@ def _replay(
     bent = bends_of(run, s, recording.channels)
     notes = {s.position: position, s.speed: speed, **_shifted(run, recording, s)}
     told_start = recording.map.start if run.begins else Start()
+    place = course_of(run, recording, s.position)
     if measured or whole:
-        states = start_states(time, position, speed, starts, sensed, bent)
+        moves = course_of(run, recording, s.speed) if measured else speed
+        states = start_states(time, place, moves, starts, sensed, bent)
     else:
-        tells = told_starts(time, position, starts, sd, bent)
+        tells = told_starts(time, place, starts, sd, bent)
         states = [one.state for one in tells]
         if first_untold(tells, sd) and told[0] and not told_start.told[1]:
             notes[BEGUN_UNTOLD] = np.arange(time.size) < starts[1]
             observed = {s.position: replace(seen, keep=told & ~notes[BEGUN_UNTOLD])}
     if alone and not measured:
-        states[0] = first_state(time, position, 2 * half_width(step) + 1, sd, CUBIC)
+        states[0] = first_state(time, place, 2 * half_width(step) + 1, sd, CUBIC)
     states[0] = told_start.put_right(states[0])
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
     notes |= {"start": np.array(states[0]), BENT_ROWS: np.isin(np.arange(time.size), bent)}

@@ -25,6 +25,7 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Observation, Replay
 from ..recordings.channel_map import HELD
+from ..recordings.course import course
 from ..recordings.logged import told_of_run
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
@@ -110,7 +111,8 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
         values, channel = run.channels[name], recording.channels[name]
         sd = run_noise(values, channel, run.time)
         observed[name] = Observation(values, sd, keep, 1.0, tuple(starts))
-        states.append([_state_at(time, values, k, half, sd, spans, even) for k in starts])
+        clean = course(time, values, sd)
+        states.append([_state_at(time, clean, k, half, sd, spans, even) for k in starts])
         speeds.append(rate_of_change(time, values, 2 * FITTED))
     rows = np.array(states)  # coordinates, windows, (position, speed)
     notes = {
