@@ -7,7 +7,7 @@ why, and nothing beyond the range that was recorded.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -29,8 +29,9 @@ from .fitting.identifiability import estimates
 from .fitting.search import try_candidates
 from .fitting.survey import Probe, survey
 from .rigs.effect_candidate import EffectCandidate
-from .tracing.rivals import LEAST_GAIN
+from .tracing.rivals import CLEARLY_WORSE, LEAST_GAIN, RIVAL
 from .tracing.trace import Trace
+from .tracing.verdict import LEAST_SHARE_IF_MUCH
 
 #: How many ways after a reversal a curve over it is drawn to; three hundredths are left there.
 WAYS = 3.5
@@ -57,6 +58,9 @@ class Empirical:
     place, value, half_width : ndarray (knots,)
         Knots, fitted values and half-widths of their 95 % intervals [SI]; knots over the way since
         a reversal are those of `EmpiricalByReversal`, from -1 at it to 1 far from it.
+    alike : tuple of str
+        Of the coordinates that were asked: its own, then those over which a curve does nearly as
+        well, or none was tried that might.
     """
 
     coordinate: str
@@ -65,6 +69,7 @@ class Empirical:
     place: np.ndarray
     value: np.ndarray
     half_width: np.ndarray
+    alike: tuple[str, ...] = ()
 
     def drawn(self, points: int = 241) -> tuple[np.ndarray, np.ndarray]:
         """Places and values of the curve as a simulation follows it, from end to end (points,)."""
@@ -111,8 +116,11 @@ def empirical_term(
     """
     terms: dict[str, EffectCandidate] = {}
     where: dict[str, str] = {}
+    names: dict[str, set[str]] = {}
     for coordinate in coordinates:
-        for term in terms_over(coordinate, traces):
+        over = terms_over(coordinate, traces)
+        names[coordinate] = {term.name for term in over}
+        for term in over:
             if term.name not in terms and len(terms) < TRIED:
                 terms[term.name], where[term.name] = term, coordinate
     pieces = {p.name: (p, c) for c in coordinates for p in pieces_of(c, traces)}
@@ -123,7 +131,30 @@ def empirical_term(
     best = min(trials, key=lambda t: t.select_error, default=None)
     if best is None or best.gain < LEAST_GAIN:
         return None
-    return curve_of(best, where[best.candidate.name], base, split)
+    own = where[best.candidate.name]
+    near = {t.candidate.name for t in trials if as_good(t, best)}
+    beside = (c for c, of in names.items() if of & near or (of and not of & {*terms}))
+    alike = dict.fromkeys((own, *(where[n] for n in where if n in near), *beside))
+    return replace(curve_of(best, own, base, split), alike=tuple(alike))
+
+
+def settles(term: Empirical, before: float, most: float) -> bool:
+    """Whether a curve alone explains a lack: no more than a right form leaves is left.
+
+    Parameters
+    ----------
+    term : Empirical
+    before, most : float
+        Error of the selecting runs without it, and what a right form leaves.
+    """
+    trial = term.trial
+    return trial.select_error <= most < before and trial.share >= LEAST_SHARE_IF_MUCH
+
+
+def as_good(trial: Trial, best: Trial) -> bool:
+    """Whether a curve does nearly as well as the best one: these runs tell none from the other."""
+    nearly = trial.select_error <= CLEARLY_WORSE * best.select_error
+    return nearly and trial.share >= RIVAL * best.share
 
 
 def best_probes(

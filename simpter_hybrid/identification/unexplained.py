@@ -8,7 +8,7 @@ from math import inf, isfinite
 
 import numpy as np
 
-from .empirical import PIECES, TRIED, Empirical, best_probes, curve_of, empirical_term
+from .empirical import PIECES, TRIED, Empirical, best_probes, curve_of, empirical_term, settles
 from .empirical_terms import OF_ONE, over_channel, pieces_of, terms_over
 from .fitting.fitted_model import Model, Split, refitted
 from .fitting.search import try_candidates
@@ -17,6 +17,7 @@ from .repeating import WHERE, repeating
 from .rigs.effect_candidate import EffectCandidate
 from .rigs.following import known_levels
 from .run_levels import RunLevels, differs
+from .tracing.conclusion import NO_FORCE
 from .tracing.limits import IMPERFECT
 from .tracing.locating import LAST
 from .tracing.named import balance_of, coordinate_of
@@ -88,14 +89,37 @@ def _over_rest(
         short = left > IMPERFECT * done.floor if isfinite(left) else _went_far(model)
         further = verdict.kind == "unknown" and much and short
         if not further or any(map(_in_last, verdict.coordinates)):
-            return done, known
+            return _settled(found, known), known
     where, term = asked_by_curves(model, traces, found.split, done.floor)
     open_to_it = term is None and not verdict.coordinates and WHERE not in _own(model)
     if open_to_it and repeating(found.tracer, found.split):
         return replace(done, verdict=_unknown(verdict, (WHERE,))), None
     if term is None or left <= CLEARLY_WORSE * term.trial.select_error:
-        return done, known
+        return _settled(found, known), known
     return replace(done, verdict=_unknown(verdict, where)), term
+
+
+def _settled(found: WeightedSearchResult, known: Empirical | None) -> SearchResult:
+    """The diagnosis in which a lack depends on what a curve over it takes away, if that is all.
+
+    What is missing moves all that moves: of two slides of which one pulled a cable tight, its
+    position was the last of five coordinates, and a curve over it alone left noise.  What is told
+    of breakaways, and of the same coordinate in the other balance of a rotor, stays.
+    """
+    done, verdict = found.search, found.search.verdict
+    most = found.limit.form * done.floor
+    if known is None or verdict.kind != "unknown":
+        return done
+    if not settles(known, done.corrected.select_error, most):
+        return done
+    own, name = set(known.alike), coordinate_of(known.coordinate)
+    kept = (
+        c for c in verdict.coordinates
+        if c in own or balance_of(c) in NO_FORCE
+        or (coordinate_of(c) == name and not balance_of(c).startswith("joint"))
+    )  # fmt: skip
+    where = tuple(dict.fromkeys((known.coordinate, *kept)))
+    return replace(done, verdict=replace(verdict, coordinates=where))
 
 
 def _where_runs_differ(done: SearchResult, levels: Sequence[RunLevels]) -> str:

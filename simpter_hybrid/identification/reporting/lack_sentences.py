@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..empirical import Empirical
+from ..empirical import Empirical, settles
 from ..fitting.residual import rms
 from ..result import Diagnosis
 from ..tracing.limits import OFF_NOISE, REPEATED
@@ -127,7 +127,8 @@ def _of_a_lack(found: Diagnosis) -> str:
             f"explains it{_nearest(found)}, and it depends on {on}{_would_tell(found)}."
         )
     seen = [d for first in done.rounds[:1] for d in of_all_balances(first.before)]
-    on += among_others(verdict.coordinates, seen, is_straight(found))
+    others = among_others(verdict.coordinates, seen, is_straight(found))
+    on += "" if others and _settled_by_a_curve(found) else others
     unknown = f"Something is missing and none of the known effects explains it{_nearest(found)}"
     if found.empirical is not None:  # whose sentence says how much is left
         if _untold_by(found.empirical, found):
@@ -141,6 +142,13 @@ def _of_a_lack(found: Diagnosis) -> str:
             f"the runs that select; those held out do not show it ({times(held_out(found))} times)."
         )
     return f"{unknown}: it depends on {on}. The error stays at {held_out_text(found)}."
+
+
+def _settled_by_a_curve(found: Diagnosis) -> bool:
+    """Whether a curve over one coordinate leaves noise: no other one tells anything then."""
+    done, term = found.search, found.empirical
+    most = found.limits.form * done.floor
+    return term is not None and settles(term, done.corrected.select_error, most)
 
 
 def _untold_by(term: Empirical, found: Diagnosis) -> bool:
