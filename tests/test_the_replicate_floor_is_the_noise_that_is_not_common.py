@@ -30,7 +30,7 @@ def test_of_more_runs_each_tells_of_it(count):
         assert len(noise) == count - 1
         # 2000 (count - 1) samples tell a standard deviation to 1.6 % over the root of count - 1.
         assert weighted_floor(order) == pytest.approx(1.0, rel=0.064 / (count - 1) ** 0.5)
-        correlations = np.corrcoef(noise) if count > 2 else np.eye(1)
+        correlations = np.corrcoef([n.values for n in noise]) if count > 2 else np.eye(1)
         # 1 / sqrt(2000): four of them.
         assert np.allclose(correlations, np.eye(count - 1), atol=0.09)
     assert weighted_floor(runs) == pytest.approx(weighted_floor(runs[::-1]), rel=1e-12)

@@ -7,11 +7,9 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
-import numpy as np
-
 from .fitting.effort import effort_of
 from .fitting.fitted_model import Split, refitted
-from .fitting.floor import Floors, merged, noise_floor, replicates, weighted_floor
+from .fitting.floor import Floors, floors_of, merged, replicates
 from .fitting.masks import without_jumps
 from .fitting.memory import Memory
 from .fitting.repeats import Repeated, names_of_repetitions, repeated_over
@@ -134,7 +132,7 @@ class WeightedSearch:
             calm, split = self._weighed(by, base.values)
             base = refitted(declared, split, start=base.values)
             values = base.values
-        floors, limit = self._floors(by, values, calm)
+        floors, limit = self._floors(by, values, calm, split)
 
         def progress(name: str, gain: float) -> None:
             takes = f"takes {100 * gain:.1f} % of the error away" if gain > 0.0 else "no better"
@@ -194,9 +192,9 @@ class WeightedSearch:
         return without_jumps(replays, predicted, self.bench.jumps)
 
     def _floors(
-        self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]
+        self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]], split: Split
     ) -> tuple[Floors, Limits]:
-        """Floors by replicates or, where there are none, by the noise as stated or estimated.
+        """Floors by replicates or, of what has none, by the noise as stated or estimated.
 
         And up to how many times that is noise: where noise of inputs is allowed for, simulated
         draws of it make a better estimate than any other of single runs.
@@ -205,10 +203,9 @@ class WeightedSearch:
         if self.bench.noise is not None and by is not None:
             allowed = replace(self.bench.noise, predictor=by)
             return Floors(**allowed.floors(values, calm)), limit
-        fitted = calm["fit"]
-        floor = weighted_floor(fitted)
-        floor = floor if 0.0 < floor < np.inf else noise_floor(fitted)  # 0.0: copies of one run
-        return Floors(floor, floor, floor), limit
+        # The fitted runs as errors are taken of them: merged ones count once.
+        parts = {"fit": split.fit, "select": split.select, "report": split.report}
+        return floors_of(calm["fit"], parts), limit
 
 
 def _to_be_found(found: WeightedSearchResult) -> bool:

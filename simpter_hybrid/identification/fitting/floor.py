@@ -6,7 +6,7 @@ variance of the difference of two is the variance of one run about what is commo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
@@ -19,6 +19,8 @@ from .residual import BREAKAWAY_WEIGHT, CLIP
 
 #: Breakaways of two replicates fewer samples apart, and the same way, are the same one.
 SAME_BREAKAWAY = 100
+#: Name of these among channels, and the fewest differences that tell their scatter: to a quarter.
+EVENTS, EVENTS_TOLD = "breakaway", 8
 
 
 class Floors(NamedTuple):
@@ -30,6 +32,22 @@ class Floors(NamedTuple):
     fit: float
     select: float
     report: float
+
+
+class Weighed(NamedTuple):
+    """Residuals, or noise, of one channel of one run, as a fit weighs them.
+
+    Parameters
+    ----------
+    channel : str
+    values : ndarray (samples,)
+    unit : float
+        Their root mean square if the sensor's noise (`Observation.own`) were all there is.
+    """
+
+    channel: str
+    values: np.ndarray
+    unit: float = 1.0
 
 
 def same_inputs(a: Replay, b: Replay) -> bool:
@@ -163,17 +181,42 @@ def _levels_apart(a: Replay, b: Replay) -> np.ndarray:
     )
 
 
-def noise_floor(replays: Sequence[Replay]) -> float:
+def noise_floor(replays: Sequence[Replay], factors: Mapping[str, float] | None = None) -> float:
     """Error of a perfect model if sensors' noise (`Observation.own`) were all there is.
 
     Of every window's rows two go with the line that its start leaves; breakaways scatter.
+
+    Parameters
+    ----------
+    replays : sequence of Replay
+    factors : mapping of str to float, optional
+        Channel -> how many times its noise repeated runs differ by (`noise_factors`).
     """
-    seen = [o for r in replays for o in r.observed.values()]
-    free = [_free_rows(o) for o in seen]
+    times = factors or {}
+    every = [(c, o) for r in replays for c, o in r.observed.items()]
     events = sum(len(r.breakaways) for r in replays)
-    square = sum(n * (o.weight * o.own) ** 2 for n, o in zip(free, seen, strict=True))
-    square += events * BREAKAWAY_WEIGHT**2
-    return float(np.sqrt(square / max(1, sum(int(o.keep.sum()) for o in seen) + events)))
+    square = sum(_free_rows(o) * (o.weight * o.own * times.get(c, 1.0)) ** 2 for c, o in every)
+    square += events * (BREAKAWAY_WEIGHT * times.get(EVENTS, 1.0)) ** 2
+    return float(np.sqrt(square / max(1, sum(int(o.keep.sum()) for _, o in every) + events)))
+
+
+def floors_of(fitted: Sequence[Replay], parts: Mapping[str, Sequence[Replay]]) -> Floors:
+    """Floors of parts, each by its own rows and weights, by what repeated runs differ by.
+
+    A channel counts differently in runs of one kind and another (a speed that is set anew from the
+    record little), and a part need not have the kinds that were repeated.
+
+    Parameters
+    ----------
+    fitted : sequence of Replay
+        The fitted runs, repeated ones apart.
+    parts : mapping of str to sequence of Replay
+        ``fit``, ``select``, ``report``, as their errors are taken.  One of which nothing is
+        compared has the floor of the fitted ones.
+    """
+    factors = noise_factors(fitted)
+    found = {part: noise_floor(parts[part], factors) for part in Floors._fields}
+    return Floors(*(found[part] or found["fit"] for part in Floors._fields))
 
 
 def _free_rows(seen: Observation) -> float:
@@ -185,31 +228,61 @@ def _free_rows(seen: Observation) -> float:
     return float(sum(k.sum() * max(0.0, 1.0 - 2.0 / k.size) for k in pieces if k.size))
 
 
-def replicate_noise(replays: Sequence[Replay]) -> list[np.ndarray]:
+def replicate_noise(replays: Sequence[Replay]) -> list[Weighed]:
     """What runs with the same inputs differ by, as a fit weighs it; none without such runs."""
     found = [
-        np.clip(error / seen.sd, -CLIP, CLIP) * seen.weight
+        Weighed(channel, np.clip(error / seen.sd, -CLIP, CLIP) * seen.weight, unit_of(seen))
         for group in replicates(replays)
         for channel, seen in group[0].observed.items()
         for error in apart(group, channel)
     ]
-    return [series for series in found if series.size]
+    return [series for series in found if series.values.size]
 
 
-def _breakaway_noise(replays: Sequence[Replay]) -> list[np.ndarray]:
+def unit_of(seen: Observation) -> float:
+    """Root mean square of weighed residuals if the sensor's noise were all there is."""
+    return seen.weight * seen.own
+
+
+def _breakaway_noise(replays: Sequence[Replay]) -> list[Weighed]:
     """What common breakaways of runs with the same inputs differ by, as a fit weighs it."""
     found = [
         [(abs(x.level) - abs(y.level)) / np.hypot(x.sd, y.sd) for x, y in _common(a, b)]
         for group in replicates(replays)
         for a, b in pairwise(group)
     ]
-    return [BREAKAWAY_WEIGHT * np.clip(levels, -CLIP, CLIP) for levels in found if levels]
+    clipped = (BREAKAWAY_WEIGHT * np.clip(levels, -CLIP, CLIP) for levels in found if levels)
+    return [Weighed(EVENTS, levels, BREAKAWAY_WEIGHT) for levels in clipped]
+
+
+def noise_factors(replays: Sequence[Replay]) -> dict[str, float]:
+    """Channel -> root mean square that repeated runs differ by, over that of its noise.
+
+    Over all rows that are compared in them, as a fit weighs these.  Left out, and known by its
+    noise alone, is what was not repeated, came again to the last digit (copies), or is too few
+    breakaways to tell.
+    """
+    noise = [*replicate_noise(replays), *_breakaway_noise(replays)]
+    by_channel: dict[str, list[Weighed]] = {}
+    for series in noise:
+        by_channel.setdefault(series.channel, []).append(series)
+    if sum(s.values.size for s in by_channel.get(EVENTS, ())) < EVENTS_TOLD:
+        by_channel.pop(EVENTS, None)
+    found = {c: float(np.sqrt(over_noise(every))) for c, every in by_channel.items()}
+    return {channel: factor for channel, factor in found.items() if factor > 0.0}
+
+
+def over_noise(every: Sequence[Weighed]) -> float:
+    """Sum of squares over what the sensor's noise alone would make it."""
+    square = sum(float(s.values @ s.values) for s in every)
+    return square / sum(s.values.size * s.unit**2 for s in every)
 
 
 def weighted_floor(replays: Sequence[Replay]) -> float:
-    """What a perfect model would score over all channels, by repeated runs [standard deviations].
+    """Root mean square of all that repeated runs differ by [standard deviations].
 
-    NaN where nothing is repeated.
+    What a perfect model would score on runs of the same kinds in the same number; NaN where nothing
+    is repeated.
     """
-    noise = [*replicate_noise(replays), *_breakaway_noise(replays)]
+    noise = [s.values for s in (*replicate_noise(replays), *_breakaway_noise(replays))]
     return float(np.sqrt(np.mean(np.concatenate(noise) ** 2))) if noise else float("nan")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict
-from math import isfinite, nan
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -26,18 +26,17 @@ def not_compared(found: Diagnosis, taken: Recording) -> list[str]:
 def errors_of_experiments(found: Diagnosis) -> dict[str, dict[str, float]]:
     """Experiment -> stage -> error on its runs held out, over the floor.
 
-    ``floor``: what repeated runs of it differ by among the fitted ones, over the same of all.
+    ``floor``: what repeated runs of it differ by among the fitted ones, over the floor.
     """
     rows: dict[str, dict[str, float]] = {}
     compared = {r.experiment for r in found.split.report if r.compared}
     for stage, apart in found.error_by_experiment.items():
         for experiment, error in ((n, e) for n, e in apart.items() if n in compared):
             rows.setdefault(experiment, {})[stage] = error / found.floors.report
-    usual = weighted_floor(found.fitted) or nan  # 0.0 of copies
     for experiment, row in rows.items():
         own = weighted_floor([r for r in found.fitted if r.experiment == experiment])
-        if isfinite(own / usual):
-            row["floor"] = own / usual
+        if own > 0.0:  # 0.0 of copies, NaN where nothing was repeated
+            row["floor"] = own / found.floors.report
     return rows
 
 
