@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
+from simpter_hybrid.identification.fitting.floor import Weighed
 from simpter_hybrid.identification.fitting.lack_of_fit import effective_samples, lack_of_fit
 
 SETS = 300
@@ -21,7 +22,7 @@ def _tests(colour: float, repeated: bool, lack: float = 0.0) -> list:
     for _ in range(SETS if not lack else 20):
         left = [_noise(generator, colour) + added for _ in range(3)]
         noise = [_noise(generator, colour) for _ in range(3)] if repeated else []
-        found.append(lack_of_fit(left, noise))
+        found.append(lack_of_fit(*([Weighed("force", x) for x in some] for some in (left, noise))))
     return found
 
 

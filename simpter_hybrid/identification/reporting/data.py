@@ -230,9 +230,7 @@ def _errors(found: Diagnosis, taken: Recording, told: HeldOutPredictions) -> dic
         "not_compared": not_compared(found, taken),
         "error_of_experiments": errors_of_experiments(found),
         "breakaways": breakaway_rows(told),
-        "lack_of_fit": lack_of_fit_rows(
-            told, [one.values for one in replicate_noise(found.fitted)], found.floors.report
-        ),
+        "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), found.floors.report),
     }
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..fitting.floor import weighted_floor
+from ..fitting.floor import Weighed, weighted_floor
 from ..fitting.lack_of_fit import lack_of_fit, residual_series
 from ..held_out_gains import HeldOutGain
 from ..held_out_predictions import HeldOutPredictions, noise_of
@@ -41,7 +41,7 @@ def errors_of_experiments(found: Diagnosis) -> dict[str, dict[str, float]]:
 
 
 def lack_of_fit_rows(
-    told: HeldOutPredictions, noise: Sequence[np.ndarray], floor: float
+    told: HeldOutPredictions, noise: Sequence[Weighed], floor: float
 ) -> dict[str, dict[str, float | None]]:
     """Stage -> test of what it leaves of the runs held out against what repeated runs differ by."""
     rows = {}
@@ -49,7 +49,7 @@ def lack_of_fit_rows(
         left = residual_series(predicted, told.replays)
         test = asdict(lack_of_fit(left, noise, floor))
         finite = {name: value if isfinite(value) else None for name, value in test.items()}
-        rows[stage] = finite | {"samples": sum(series.size for series in left)}
+        rows[stage] = finite | {"samples": sum(series.values.size for series in left)}
     return rows
 
 
