@@ -5,8 +5,8 @@ import pytest
 from toy_rig import ToyRig, toy_replay
 
 from simpter_hybrid.identification import doubted_readings
-from simpter_hybrid.identification.fitting.floor import merged
 from simpter_hybrid.identification.fitting.replay import Restart
+from simpter_hybrid.identification.fitting.replicates import merged
 
 
 @pytest.mark.parametrize("begins", [(), (Restart(5, 0.0, 0.0),)], ids=["alike", "otherwise"])

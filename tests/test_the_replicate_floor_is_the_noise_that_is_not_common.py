@@ -6,13 +6,12 @@ from toy_rig import toy_replay
 
 from simpter_hybrid.identification.fitting.floor import (
     SAME_BREAKAWAY,
-    merged,
     replicate_floor,
     replicate_noise,
-    replicates,
     weighted_floor,
 )
 from simpter_hybrid.identification.fitting.replay import Breakaway
+from simpter_hybrid.identification.fitting.replicates import merged, replicates
 
 
 def test_two_runs_with_the_same_inputs_give_their_noise():

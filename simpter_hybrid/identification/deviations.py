@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from .fitting.floor import replicates
 from .fitting.replay import Observation, Replay
+from .fitting.replicates import replicates
 from .rigs.scenario_predictor import ScenarioPredictor
 
 

@@ -15,8 +15,8 @@ from .channel_factors import judged_like
 from .doubted_channels import HALF, Doubt, doubted_channels
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import freed
-from .fitting.floor import merged_as
 from .fitting.replay import Replay
+from .fitting.replicates import merged_as
 from .fitting.residual import rms, weighted_residuals
 from .map_changes import MapChange, OnAxis, ReadAs, Times
 from .own_zeros import own_zeros

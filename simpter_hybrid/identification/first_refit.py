@@ -9,9 +9,9 @@ import numpy as np
 
 from .fitting.farther import best_along
 from .fitting.fit import WIDE, Fit, Fitter
-from .fitting.floor import merged
 from .fitting.predictor import Parameter
 from .fitting.replay import Replay, in_windows
+from .fitting.replicates import merged
 
 #: Of a number with such a relative tolerance other values are begun from, in tolerances.
 HARDLY, PARTS = 0.3, (-1.0, -0.75, -0.5, -0.25, 0.25, 0.5, 0.75, 1.0)

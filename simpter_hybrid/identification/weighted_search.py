@@ -9,11 +9,12 @@ from typing import Any
 
 from .fitting.effort import effort_of
 from .fitting.fitted_model import Split, refitted
-from .fitting.floor import Floors, floors_of, merged, replicates
+from .fitting.floor import Floors, floors_of
 from .fitting.masks import without_jumps
 from .fitting.memory import Memory
 from .fitting.repeats import Repeated, names_of_repetitions, repeated_over
 from .fitting.replay import Replay
+from .fitting.replicates import merged, replicates
 from .fitting.residual import errors_by_experiment
 from .next_search import begun, better_model
 from .rigs.bench import Bench

@@ -6,15 +6,15 @@ variance of the difference of two is the variance of one run about what is commo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
-from itertools import pairwise
+from collections.abc import Mapping, Sequence
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from .replay import Breakaway, Observation, Replay
+from .replicates import replicates
 from .residual import BREAKAWAY_WEIGHT, CLIP
 
 #: Breakaways of two replicates fewer samples apart, and the same way, are the same one.
@@ -50,82 +50,6 @@ class Weighed(NamedTuple):
     unit: float = 1.0
 
 
-def same_inputs(a: Replay, b: Replay) -> bool:
-    """Whether one replay serves two runs: same stamps, inputs, constants and measured channels.
-
-    Names of experiments do not matter.  Channels logged beside may have an effect, so they must
-    have values in common: a run that was warmer all through is another one.
-    """
-    return (
-        a.drive_is_exact
-        and b.drive_is_exact
-        and a.setting == b.setting
-        and a.time.size == b.time.size
-        and np.allclose(a.time, b.time, rtol=0, atol=1e-9)
-        and a.inputs.keys() == b.inputs.keys()
-        and all(np.array_equal(a.inputs[k], b.inputs[k]) for k in a.inputs)
-        and a.observed.keys() == b.observed.keys()
-        and all(_overlap(a.logged[k], b.logged[k]) for k in a.logged.keys() & b.logged.keys())
-    )
-
-
-def _overlap(one: np.ndarray, other: np.ndarray) -> bool:
-    """Whether two courses have values in common; one without numbers counts as having."""
-    known = [x[np.isfinite(x)] for x in (one, other)]
-    if not all(x.size for x in known):
-        return True
-    return bool(max(x.min() for x in known) <= min(x.max() for x in known))
-
-
-def merged(replays: Sequence[Replay]) -> list[Replay]:
-    """Replicates without restarts replaced by their mean: as much information, half the cost."""
-    return merged_as(replays, replays)
-
-
-def merged_as(replays: Sequence[Replay], changed: Sequence[Replay]) -> list[Replay]:
-    """Changed replays, one for each of `replays`, merged as these are.
-
-    What a change makes of a run's beginning may decide whether it restarts: by itself it would be
-    merged with others.
-    """
-    new = {id(old): one for old, one in zip(replays, changed, strict=True)}
-    groups = _groups(replays, lambda r: not r.restarts)
-    return [_mean([new[id(run)] for run in group]) for group in groups]
-
-
-def replicates(replays: Sequence[Replay]) -> list[list[Replay]]:
-    """Groups of two or more runs with the same inputs."""
-    return [group for group in _groups(replays) if len(group) > 1]
-
-
-def _groups(
-    replays: Sequence[Replay], may: Callable[[Replay], bool] = lambda r: True
-) -> list[list[Replay]]:
-    """Runs with the same inputs together, where they may be; each of the others alone."""
-    groups: list[list[Replay]] = []
-    for replay in replays:
-        alike = (g for g in groups if may(replay) and may(g[0]) and same_inputs(g[0], replay))
-        if (group := next(alike, None)) is not None:
-            group.append(replay)
-        else:
-            groups.append([replay])
-    return groups
-
-
-def _mean(group: Sequence[Replay]) -> Replay:
-    if len(group) == 1:
-        return group[0]
-    observed = {}
-    for channel, first in group[0].observed.items():
-        values = np.mean([r.observed[channel].values for r in group], axis=0)
-        keep = np.all([r.observed[channel].keep for r in group], axis=0)
-        observed[channel] = Observation(values, first.sd, keep, first.weight, own=first.own)
-    name = f"{group[0].name} (mean of {len(group)})"
-    in_all = [c for c in group[0].logged if all(c in r.logged for r in group)]
-    logged = {c: np.mean([r.logged[c] for r in group], axis=0) for c in in_all}
-    return replace(group[0], name=name, observed=observed, replicates=len(group), logged=logged)
-
-
 def apart(group: Sequence[Replay], channel: str) -> list[np.ndarray]:
     """Differences of replicates in a channel, scaled to the noise of one run [SI].
 
@@ -149,7 +73,7 @@ def replicate_floor(replays: Sequence[Replay]) -> dict[str, float]:
     for group in replicates(replays):
         for channel in group[0].observed:
             squares.setdefault(channel, []).extend(e**2 for e in apart(group, channel))
-        levels = [_levels_apart(a, b) for a, b in pairwise(group)]
+        levels = [_levels_apart(a, b) for a, b in combinations(group, 2)]
         squares.setdefault("breakaway", []).extend(levels)
     joined = {channel: np.concatenate(every) for channel, every in squares.items()}
     return {channel: float(np.sqrt(np.mean(e))) for channel, e in joined.items() if e.size}
@@ -245,14 +169,18 @@ def unit_of(seen: Observation) -> float:
 
 
 def _breakaway_noise(replays: Sequence[Replay]) -> list[Weighed]:
-    """What common breakaways of runs with the same inputs differ by, as a fit weighs it."""
-    found = [
-        [(abs(x.level) - abs(y.level)) / np.hypot(x.sd, y.sd) for x, y in _common(a, b)]
-        for group in replicates(replays)
-        for a, b in pairwise(group)
-    ]
-    clipped = (BREAKAWAY_WEIGHT * np.clip(levels, -CLIP, CLIP) for levels in found if levels)
-    return [Weighed(EVENTS, levels, BREAKAWAY_WEIGHT) for levels in clipped]
+    """What common breakaways of runs with the same inputs differ by, as a fit weighs it.
+
+    Of each two of them: of three runs in a row what the first and the last differ by would have no
+    say.  As k runs have k - 1 independent differences, each pair counts for 2 / k.
+    """
+    found = []
+    for group in replicates(replays):
+        counts = BREAKAWAY_WEIGHT * np.sqrt(2.0 / len(group))
+        for a, b in combinations(group, 2):
+            apart = [(abs(x.level) - abs(y.level)) / np.hypot(x.sd, y.sd) for x, y in _common(a, b)]
+            found.append(Weighed(EVENTS, counts * np.clip(apart, -CLIP, CLIP), counts))
+    return [series for series in found if series.values.size]
 
 
 def noise_factors(replays: Sequence[Replay]) -> dict[str, float]:
@@ -266,7 +194,8 @@ def noise_factors(replays: Sequence[Replay]) -> dict[str, float]:
     by_channel: dict[str, list[Weighed]] = {}
     for series in noise:
         by_channel.setdefault(series.channel, []).append(series)
-    if sum(s.values.size for s in by_channel.get(EVENTS, ())) < EVENTS_TOLD:
+    events = sum(s.values.size * s.unit**2 for s in by_channel.get(EVENTS, ()))
+    if events < EVENTS_TOLD * BREAKAWAY_WEIGHT**2:
         by_channel.pop(EVENTS, None)
     found = {c: float(np.sqrt(over_noise(every))) for c, every in by_channel.items()}
     return {channel: factor for channel, factor in found.items() if factor > 0.0}
@@ -279,10 +208,10 @@ def over_noise(every: Sequence[Weighed]) -> float:
 
 
 def weighted_floor(replays: Sequence[Replay]) -> float:
-    """Root mean square of all that repeated runs differ by [standard deviations].
+    """What a perfect model would score on the runs that are repeated [standard deviations].
 
-    What a perfect model would score on runs of the same kinds in the same number; NaN where nothing
-    is repeated.
+    NaN where none is, or where they are copies.
     """
-    noise = [s.values for s in (*replicate_noise(replays), *_breakaway_noise(replays))]
-    return float(np.sqrt(np.mean(np.concatenate(noise) ** 2))) if noise else float("nan")
+    repeated = [run for group in replicates(replays) for run in group]
+    factors = noise_factors(repeated)
+    return noise_floor(repeated, factors) if factors else float("nan")

@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .alike import put_together
 from .floor import Floors
 from .predictor import Predictor
 from .replay import Replay
@@ -114,23 +115,28 @@ def course(replay: Replay) -> dict[str, np.ndarray]:
 
 
 def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
-    """Groups of two or more runs of the same course, with windows of the same rows.
+    """Groups of two or more runs, every two of the same course, with windows of the same rows.
 
     Whatever was logged beside them: what that does is asked of the best models before it counts as
     what does not come again (`repeated_over`).  Runs in which nothing changes and whose place
     nobody knows are none: what lacks along the way comes at other instants in each.
     """
-    groups: list[list[Replay]] = []
-    for replay in (r for r in replays if not r.drive_is_exact and _tells_where(r)):
-        alike = ALIKE_WHOLE if replay.followed else ALIKE
-        for group in groups:
-            alike_set = group[0].setting == replay.setting and _same_windows(group[0], replay)
-            if alike_set and same_course(course(group[0]), course(replay), alike):
-                group.append(replay)
-                break
-        else:
-            groups.append([replay])
+    told = [r for r in replays if not r.drive_is_exact and _tells_where(r)]
+    groups = put_together(told, _repeats, _size)
     return [group for group in groups if len(group) > 1]
+
+
+def _repeats(a: Replay, b: Replay) -> bool:
+    """Whether two runs are of one course, by the stricter bound if either is followed whole."""
+    alike = ALIKE_WHOLE if a.followed or b.followed else ALIKE
+    return (
+        a.setting == b.setting and _same_windows(a, b) and same_course(course(a), course(b), alike)
+    )
+
+
+def _size(replay: Replay) -> list[tuple[str, float]]:
+    """Where a run is among those of nearly one course: how large its signals are."""
+    return sorted((name, float(np.mean(x**2))) for name, x in course(replay).items())
 
 
 def _tells_where(replay: Replay) -> bool:

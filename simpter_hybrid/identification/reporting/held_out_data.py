@@ -35,7 +35,7 @@ def errors_of_experiments(found: Diagnosis) -> dict[str, dict[str, float]]:
             rows.setdefault(experiment, {})[stage] = error / found.floors.report
     for experiment, row in rows.items():
         own = weighted_floor([r for r in found.fitted if r.experiment == experiment])
-        if own > 0.0:  # 0.0 of copies, NaN where nothing was repeated
+        if isfinite(own):
             row["floor"] = own / found.floors.report
     return rows
 
