@@ -20,7 +20,7 @@ from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import told_of_run
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import row_step
-from ..recordings.smoothing import derivative, local_fit
+from ..recordings.smoothing import derivative, even_step, from_row, local_fit
 from ..rigs.following import MOVES
 from ..rigs.pose import every_pose
 from ..rigs.rig import Rig, driven_by, handed_on
@@ -73,6 +73,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     time = run.time - run.time[0]
     step = row_step(time)
     every, half = window_samples(step), half_width(step)
+    even = even_step(time)
     at = [0, *range(every, time.size - half, every)]
     states = np.empty((len(at), 2 * JOINTS))
     observed, notes = {}, {"start_at": np.array(at)}
@@ -83,7 +84,8 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
             course = course_of(run, recording, signal)
             for row, k in enumerate(at):
                 span = slice(max(0, k - half), k + half + 1)
-                states[row, col] = local_fit(course[span], k - span.start)
+                stamps = from_row(time, k, span, even) if even is None else None
+                states[row, col] = local_fit(course[span], k - span.start, stamps)
         observed[name] = observed_speed(run, recording, name, WEIGHT, run.compared(name))
         notes |= {f"{s.position}_{j + 1}": position, name: speed}
     played = [*(f"{s.drive}_{j + 1}" for j in range(JOINTS)), *s.commands(recording).values()]
