@@ -15,6 +15,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.effect_candidate import EffectCandidate
 from .candidates import SPEED, tip_candidates
+from .link_weights import are_relative, link_weights
 from .made import SWITCHING, made, of_clutches
 from .structure import time_constants
 from .ways import Ways, along, unit_ways
@@ -23,6 +24,8 @@ from .ways import Ways, along, unit_ways
 SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
 #: Shortest lag of a drive that is simulated, and the largest that is looked for [s].
 SHORTEST, LONGEST = 5e-4, 0.2
+#: Name of weights off the axes.
+TILT = "tilt"
 #: Of the candidates of several clutches those that two joints show at all.
 KEPT = ("friction", "load")
 
@@ -71,6 +74,8 @@ def joint_candidates(
             kept.append(c)
         elif own := [place for place in c.places if place in clutches]:
             kept.append(c.only(own))  # and none of pairs of clutches
+    if are_relative(declared):
+        kept = [link_weights(TILT, force) if c.name == TILT else c for c in kept]
     yielding = _giving_way(n, travels, alike=not ways.mixed)
     beside = (*_of_directions(m, n, force), *yielding, *_of_loads(m, n), *_of_drives(n, turned))
     return (*kept, *beside)
