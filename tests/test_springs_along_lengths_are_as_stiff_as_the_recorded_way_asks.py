@@ -78,12 +78,20 @@ class TwoSlides(Device):
         out[0], out[1], out[2], out[3] = 1.0, 0.0, 0.0, 1.0
 
 
-def test_ways_are_those_of_the_record():
+def recorded(went):
     time = np.linspace(0.0, 1.0, 11)
-    notes = {"position": np.outer(WENT, time), "speed": np.outer(WENT, np.ones(11))}
+    notes = {"position": np.outer(went, time), "speed": np.outer(went, np.ones(11))}
     run = Replay("run 1", "1", time, {}, {}, drive_is_exact=False, notes=notes)
     declared = replace(declared_joints(), device=TwoSlides())
-    ways = ways_of(declared, [run], (1.0, 1.0), FORCE, SPEED)
+    return ways_of(declared, [run], (1.0, 1.0), FORCE, SPEED)
+
+
+def test_ways_are_those_of_the_record():
+    ways = recorded(WENT)
     assert ways.joints == pytest.approx(WENT)
     assert ways.slips == pytest.approx(WENT)
     assert ways.forces == (FORCE, FORCE)
+
+
+def test_what_stands_still_has_a_way_all_the_same():
+    assert recorded((0.14, 0.0)).joints == pytest.approx((0.14, 0.0014))

@@ -15,7 +15,7 @@ from ..rigs.pose import clutch_maps, slip_travels
 #: An angle that goes farther [rad] has the sizes of a whole radian: a robot's, on which these were
 #: measured, goes 0.4 to 1.2.
 WIDE = 0.5
-#: What hardly moves has this part of the farthest way of its kind: no force is over no way.
+#: What hardly moves has this part of the farthest way [m or rad]: no force is over no way.
 LEAST = 0.01
 #: A slow speed of an angle [rad/s], and the part of the largest that is one of a length.
 SLOW = 0.01
@@ -116,7 +116,7 @@ def ways_of(
     """
     n, lengths = declared.device.n, along(declared)
     places = np.hstack([r.notes["position"] for r in replays])
-    went = _none_far_below(np.ptp(places, axis=1), lengths)
+    went = _none_far_below(np.ptp(places, axis=1))
     joints = [
         way if is_length or way < WIDE else 1.0
         for way, is_length in zip(went, lengths, strict=True)
@@ -125,8 +125,9 @@ def ways_of(
         slip_travels(declared, r.time, r.notes["position"].T, r.notes["speed"].T) for r in replays
     ]
     rows = clutch_maps(declared, places[:, :1].T)[0]
-    rubs = tuple(not row[~np.array(lengths)].any() for row in rows)
-    slips = _none_far_below(np.max(ends, axis=0), rubs) if rubs else []
+    straight = np.array(lengths)
+    rubs = tuple(row[straight].any() and not row[~straight].any() for row in rows)
+    slips = _none_far_below(np.max(ends, axis=0))
     made = Ways(
         lengths, tuple(joints), tuple(s if r else 0.0 for s, r in zip(slips, rubs, strict=True)),
         (force,) * n, (speed,) * n,
@@ -154,10 +155,9 @@ def _most(
     return tuple(np.max(each, axis=0).tolist())
 
 
-def _none_far_below(ways: np.ndarray, kinds: Sequence[bool]) -> list[float]:
-    """Ways, none far below the farthest of its kind."""
-    most = {kind: max(w for w, k in zip(ways, kinds, strict=True) if k == kind) for kind in kinds}
-    return [max(float(w), LEAST * float(most[k])) for w, k in zip(ways, kinds, strict=True)]
+def _none_far_below(ways: np.ndarray) -> list[float]:
+    """Ways, none far below the farthest."""
+    return np.maximum(ways, LEAST * ways.max(initial=0.0)).tolist()
 
 
 def along_lengths(
