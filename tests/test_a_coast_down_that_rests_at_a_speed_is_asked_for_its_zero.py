@@ -10,9 +10,10 @@ DRAW = NOISE * np.random.default_rng(2).standard_normal(TIME.size)
 STOPS = np.maximum(20.0 - 7.0 * TIME, 0.0) + DRAW
 
 
+@pytest.mark.parametrize("way", [1.0, -1.0])
 @pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_a_level_at_which_it_stays_is_found(sign):
-    rows, level = resting(TIME, sign * (STOPS + 1.0), NOISE)
+def test_a_level_at_which_it_stays_is_found(way, sign):
+    rows, level = resting(TIME, way * STOPS + sign, NOISE)
     assert rows == pytest.approx(800 * (1.0 - 20.0 / 28.0), abs=10)
     assert level == pytest.approx(sign, abs=0.02)
 

@@ -46,3 +46,19 @@ def test_let_go_from_one_place(sizes):
 )
 def test_where_it_is_told_nothing_is_said(found):
     assert dying_out_sentence(found) == ""
+
+
+@pytest.mark.parametrize("other", [0.0, 1e-3])
+def test_a_joint_at_rest_beside_it_tells_nothing(other):
+    found = _found("force:time", 1.0)
+    noise = other * np.random.default_rng(0).normal(size=TIME.size)
+
+    def with_rest(run, rows):
+        notes = {"speed_1": run.notes["speed"], "speed_2": noise[rows]}
+        return replace(run, notes=notes)
+
+    found.split.fit = [
+        replace(with_rest(r, slice(300, None)), before=with_rest(r.before, slice(300)))
+        for r in found.split.fit
+    ]
+    assert "how fast it swings" in dying_out_sentence(found)

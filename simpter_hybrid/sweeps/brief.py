@@ -148,7 +148,7 @@ def unit_and_label(name: str, device: Device | None = None) -> tuple[str, str]:
         Whose runs were measured; else one with a tip whose surfaces turn.
     """
     stem, _, number = name.partition(".")
-    told = (f for f in fields(Metrics) if f.metadata)  # the unit of surfaces is no measure
+    told = (f for f in fields(Metrics) if f.metadata)  # the device is no measure
     known = {f.name: (f.metadata["unit"], f.metadata["label"]) for f in told} | MORE
     unit, label = known.get(stem, ("", stem.replace("_", " ")))
     unit, label = as_measured(unit, label, device)

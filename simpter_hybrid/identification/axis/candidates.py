@@ -121,7 +121,9 @@ def with_friction_scale(
     )  # fmt: skip
     # On runs that go one way alone, friction of one direction does what that of both does.
     one_way = (
-        replace(c, contains=(*c.contains, DRY_FRICTION)) if c.name == "asymmetry-level" else c
+        replace(c, contains=(*c.contains, DRY_FRICTION), yields_to=DRY_FRICTION)
+        if c.name == "asymmetry-level"
+        else c
         for c in scaled
     )
     return (*one_way, dry)

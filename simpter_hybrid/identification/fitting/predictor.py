@@ -115,6 +115,9 @@ class Candidate:
         name that one only.
     contains : tuple of str
         Candidates of which this is a generalization: no rival of theirs, it does all they do.
+    yields_to : str
+        One of those that is named in its place if it does as well with as many numbers: of runs
+        that do not tell the two apart it says less.
     declared : bool
         No effect, but a declared value far off: what is known to its tolerance is no rival of an
         effect that acts on the same and does better.
@@ -140,6 +143,7 @@ class Candidate:
     further: bool = field(default=False, kw_only=True)
     plain: str = field(default="", kw_only=True)
     contains: tuple[str, ...] = field(default=(), kw_only=True)
+    yields_to: str = field(default="", kw_only=True)
     echoes: tuple[str, ...] = field(default=(), kw_only=True)
     declared: bool = field(default=False, kw_only=True)
     fitted: tuple[tuple[str, float], ...] = field(default=(), kw_only=True)

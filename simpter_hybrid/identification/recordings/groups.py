@@ -10,7 +10,14 @@ from .at_gaps import as_boundaries
 from .checks import FEWEST, Finding
 from .recording import Recording
 from .runs import ONLY, name_of_whole
-from .shortest import lasts, longest_run, most_pieces, shortest, shortest_halved
+from .shortest import (
+    lasts,
+    longest_run,
+    most_pieces,
+    of_one_axis,
+    shortest,
+    shortest_halved,
+)
 
 #: What a group may be for.
 PARTS = ("fit", "select", "report")
@@ -64,13 +71,16 @@ def _by_pieces(recording: Recording, known: Sequence[str]) -> str:
     """Advice how cutting runs (`pieces`) would make three groups, or how two would do."""
     told = recording.map.pieces
     rows = min(run.time.size for run in recording.runs) * told
-    pieces = min(PIECES, rows // FEWEST, most_pieces(recording))
+    timed = of_one_axis(recording)  # of other rigs nothing is asked of how long a run lasts
+    pieces = min(PIECES, rows // FEWEST, most_pieces(recording) if timed else PIECES)
     if len(known) * pieces < len(PARTS) * told:
         long, least, three = lasts(longest_run(recording)), shortest(recording), len(PARTS)
+        lasting = (f"{least:g} s", f"{three * least:.2g} s") if timed else ("", "")
+        each, for_three = (f" and {time}" if time else "" for time in lasting)
+        there = f" in {long * told:.3g} s" if timed else ""
         short = (
-            f"; these are too short to be cut so: {FEWEST} rows and {least:g} s each are asked for "
-            f"({three * FEWEST} rows and {three * least:.2g} s for three), and there are {rows} "
-            f"rows in {long * told:.3g} s"
+            f"; these are too short to be cut so: {FEWEST} rows{each} each are asked for "
+            f"({three * FEWEST} rows{for_three} for three), and there are {rows} rows{there}"
         )
         first, last, cut = known[0], known[-1], ""
         if len(known) == 1 and pieces >= 2:
@@ -80,7 +90,7 @@ def _by_pieces(recording: Recording, known: Sequence[str]) -> str:
             first, last = f"{of}piece 1", f"{of}piece 2"
             cut = f"; pieces = {pieces} under its [runs]"
             long *= told / pieces
-        if first == last or long < shortest_halved(recording):
+        if first == last or (timed and long < shortest_halved(recording)):
             return short
         both = f'fit = ["{first}"], select = ["{first}"], report = ["{last}"]'
         return (

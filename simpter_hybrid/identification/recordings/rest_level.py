@@ -76,7 +76,8 @@ def resting(time: np.ndarray, speed: np.ndarray, noise: float) -> tuple[int, flo
     level = float(np.mean(speed[rest]))
     small = abs(level) < SMALL * float(np.abs(speed).max())
     lasts = float(time[-1] - time[-rows])
-    fell = -_slope(time[before], speed[before]) * lasts * np.sign(level)
+    above = np.sign(np.mean(speed[before]) - level)
+    fell = -_slope(time[before], speed[before]) * lasts * above
     unsure = 2.0 * noise * np.sqrt(12.0 / rows)
     falls = abs(_slope(time[rest], speed[rest])) * lasts + unsure
     sure = small and abs(level) > SURE * noise

@@ -21,6 +21,15 @@ FASTEST_ALONE = 5e-5
 HALF = 0.5
 
 
+#: A channel of each rig that is no single axis.
+OTHERS = ("clutch_torque", "force_x", "position_2")
+
+
+def of_one_axis(recording: Recording) -> bool:
+    """Whether a recording is of one axis, in windows of which time is asked for."""
+    return not any(name in recording.channels for name in OTHERS)
+
+
 def longest_run(recording: Recording) -> RecordedRun:
     """The run, or piece, that lasts longest."""
     return max(recording.runs, key=lasts)

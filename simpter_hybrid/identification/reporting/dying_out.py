@@ -20,7 +20,8 @@ from .recorded_speeds import recorded_speeds
 TOGETHER = -0.95
 #: So few swings one after the other are each less than that before in one case of 120 by chance.
 FEWEST = 5
-#: A swing is faster than this part of the fastest one: what is less is noise about rest.
+#: A swing is faster than this part of the fastest one, and so is a coordinate that swings: what is
+#: less is noise about rest.
 MOVING = 0.05
 
 
@@ -48,13 +49,17 @@ def dying_out_sentence(found: Diagnosis) -> str:
 def dies_out(replays: Iterable[Replay]) -> bool:
     """Whether over all runs together recorded swings are the smaller the later they are.
 
-    Those of every coordinate: one that swings on tells time from the size of its motion.
+    Those of every coordinate that swings: one that swings on tells time from the size of its
+    motion, and one at rest tells nothing.
     """
     # A piece of a run goes on from those before it, and of two such the later one knows more.
     whole = {piece[0].name: piece for piece in sorted(map(_since_beginning, replays), key=len)}
-    runs = [_swings(pieces) for pieces in whole.values()]
+    runs = [swings for pieces in whole.values() if (swings := _swings(pieces))]
     together = [list(chain.from_iterable(swings)) for swings in zip(*runs, strict=False)]
-    return bool(together) and all(map(_shrink, together))
+    fastest = [max((size for _, size in swings), default=0.0) for swings in together]
+    least = MOVING * max(fastest, default=0.0)
+    moved = [swings for swings, most in zip(together, fastest, strict=True) if most > least]
+    return bool(moved) and all(map(_shrink, moved))
 
 
 def _shrink(swings: Sequence[tuple[float, float]]) -> bool:

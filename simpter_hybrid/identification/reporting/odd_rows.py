@@ -31,7 +31,8 @@ def odd_rows_sentence(findings: Sequence[Finding]) -> str:
             "[runs], or files of their own) and diagnose again."
         )
     if lone:
-        rows = _listed([f"{f.what.split()[0]} {f.value}, {f.run}, t = {f.time:g} s" for f in lone])
+        named = ((f.what.removesuffix(LONE).strip(), f) for f in lone)
+        rows = _listed([f"{name} {f.value}, {f.run}, t = {f.time:g} s" for name, f in named])
         said.append(
             f"Was a reading dropped or misread ({rows})? A single such row may decide what is "
             "named: mend its cell as the remark on the recording says, and diagnose again."

@@ -12,9 +12,9 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..rigs.pose import clutch_maps, slip_travels
 
-#: An angle that goes farther [rad] has the sizes of a whole radian: a robot's, on which these were
-#: measured, goes 0.4 to 1.2.
-WIDE = 0.5
+#: An angle that goes farther [rad] has the sizes of a whole radian: so had a robot's, which go 0.4
+#: to 1.2, when these sizes were measured.
+WIDE = 0.35
 #: What hardly moves has this part of the farthest way [m or rad]: no force is over no way.
 LEAST = 0.01
 #: A slow speed of an angle [rad/s], and the part of the largest that is one of a length.
@@ -136,9 +136,10 @@ def ways_of(
         return made
     # What nothing drives is moved by the others: a pole on a cart.
     moved = zip(drives or (0.0,) * n, inertia, _most(replays, _accelerations, 0.9), strict=True)
-    return made._replace(
-        forces=tuple(max(drive, i * bent) for drive, i, bent in moved),
-        speeds=_most(replays, lambda replay: replay.notes["speed"], 0.99),
+    speeds = _most(replays, lambda replay: replay.notes["speed"], 0.99)
+    return made._replace(  # what stands still all the time has the usual sizes
+        forces=tuple(max(drive, i * bent) or force for drive, i, bent in moved),
+        speeds=tuple(fastest or speed for fastest in speeds),
     )
 
 

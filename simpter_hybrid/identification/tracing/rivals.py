@@ -63,14 +63,9 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     ]  # fmt: skip
     near = [t for t in forms if t.select_error <= best.select_error * (1 + gained * RICHER_FORM)]
     best = min(near, key=lambda t: (len(t.candidate.parameters), t.select_error))
-    # What does the same with as many numbers, and is contained, is less of a claim.
-    plain = [
-        t for t in near
-        if t.candidate.name in best.candidate.contains and not t.candidate.declared
-        and len(t.candidate.parameters) == len(best.candidate.parameters)
-        and t.select_error <= best.select_error * (1 + gained * TIE)
-    ]  # fmt: skip
-    best = min(plain, key=lambda t: t.select_error, default=best)
+    plain = (t for t in near if t.candidate.name == best.candidate.yields_to)
+    if (less := next(plain, None)) and less.select_error <= (1 + gained * TIE) * best.select_error:
+        best = less
     return _before_declared(best, trials)
 
 
