@@ -67,6 +67,14 @@ def even_step(time: np.ndarray) -> float | None:
     return usual if even else None
 
 
+def even_stretches(time: np.ndarray, least: int) -> list[slice]:
+    """Stretches of `least` rows or more that come by the usual step, to `EVEN` of it."""
+    step = row_step(time)
+    ends = np.flatnonzero(np.abs(np.diff(time) - step) > EVEN * step) + 1
+    every = pairwise([0, *ends.tolist(), time.size])
+    return [slice(a, b) for a, b in every if b - a >= least]
+
+
 def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.ndarray:
     """`derivative` of a channel at its stamps (samples,).
 

@@ -23,7 +23,7 @@ from .channel_map import ChannelMap
 from .checks import Finding
 from .recorded_run import RecordedRun
 from .row_step import row_step
-from .smoothing import odd
+from .smoothing import even_stretches, odd
 
 #: Motion is what a cubic over this long follows [s]; a ripple is looked for in what it does not.
 MOTION = 0.15
@@ -78,13 +78,14 @@ class Moved(NamedTuple):
 
 
 class _Rest(NamedTuple):
-    """Part of a run's speed that no motion explains, where it is compared."""
+    """Part of a run's speed that no motion explains, where it is compared: in even stretches."""
 
     position: np.ndarray
     motion: np.ndarray
     rest: np.ndarray
     window: int
     step: float
+    stretches: list[slice]
     compared: np.ndarray
 
 
@@ -163,11 +164,21 @@ def without_ripple(
 def _rest(run: Moved) -> _Rest:
     step = row_step(run.time)
     window = odd(max(MOTION / step, 7.0), run.time.size)
-    motion = savgol_filter(run.speed, window, 3)
-    usual = float(np.quantile(np.abs(motion), 0.9))
-    return _Rest(
-        run.position, motion, run.speed - motion, window, step, np.abs(motion) > SLOW * usual
-    )
+    # A cubic over uneven rows leaves waves of the motion itself, which are no sensor's.
+    stretches = even_stretches(run.time, window)
+    motion, known = _followed(run.speed, window, stretches), np.zeros(run.time.size, bool)
+    for stretch in stretches:
+        known[stretch] = True
+    compared = known & (np.abs(motion) > SLOW * float(np.quantile(np.abs(motion), 0.9)))
+    return _Rest(run.position, motion, run.speed - motion, window, step, stretches, compared)
+
+
+def _followed(values: np.ndarray, window: int, stretches: Sequence[slice]) -> np.ndarray:
+    """What a cubic follows of values (samples, ...) in each stretch; the values outside of them."""
+    found = values.copy()
+    for stretch in stretches:
+        found[stretch] = savgol_filter(values[stretch], window, 3, axis=0)
+    return found
 
 
 def _strongest(rests: Sequence[_Rest], turning: bool) -> float | None:
@@ -248,7 +259,8 @@ def _system(rest: _Rest, number: float, of_sensor: bool) -> tuple[np.ndarray, np
         return np.zeros((0, 2)), np.zeros(0)
     by = rest.motion if of_sensor else 1.0 / np.where(compared, rest.motion, np.inf)
     columns = by[:, None] * _waves(rest, number)
-    return (columns - savgol_filter(columns, rest.window, 3, axis=0))[compared], rest.rest[compared]
+    columns = columns - _followed(columns, rest.window, rest.stretches)
+    return columns[compared], rest.rest[compared]
 
 
 def _solved(columns: np.ndarray, left: np.ndarray) -> np.ndarray:
