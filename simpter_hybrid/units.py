@@ -44,7 +44,7 @@ class _UnitError(Exception):
     """What is wrong and, where it is not the usual advice, what would be right."""
 
 
-def parse_quantity(value: str | float, dimension: str) -> float:
+def parse_quantity(value: str | float, dimension: str, difference: bool = False) -> float:
     """Read a quantity, e.g. ``parse_quantity("24 in", "length") == 0.6096``.
 
     Parameters
@@ -55,6 +55,8 @@ def parse_quantity(value: str | float, dimension: str) -> float:
     dimension : str
         A name of `DIMENSIONS`, or an expression of such names or of units:
         ``"voltage/torque"``, ``"V/(N*m)"``.
+    difference : bool
+        Whether it is how far two quantities are apart: ``"2 degC"`` is then 2 K, not 275.15 K.
 
     Returns
     -------
@@ -71,7 +73,7 @@ def parse_quantity(value: str | float, dimension: str) -> float:
     try:
         number, unit = _split(value, bare=dimension == "dimensionless")
         slope, offset = _conversion(unit, dimension)
-        result = float(Decimal(number) * slope + offset)
+        result = float(Decimal(number) * slope + (0 if difference else offset))
         if not math.isfinite(result):
             raise _UnitError("too large a number")
     except _UnitError as wrong:

@@ -50,14 +50,13 @@ def check_time(table: TableReader, unit: str) -> None:
 
 
 def si_difference(table: TableReader, key: str, unit: str, default):
-    """A difference in the channel's own unit, written as a bare number's unit demands."""
+    """A difference in the channel's unit, or in another of its kind; a degree has no zero then."""
     if key not in table:
         table.raw(key, None)
         return default
     try:
-        found = parse_quantity(table.raw(key), unit if unit != "1" else "dimensionless") - (
-            0.0 if unit in ("1", "") else parse_quantity(f"0 {unit}", unit)
-        )
+        kind = unit if unit != "1" else "dimensionless"
+        found = parse_quantity(table.raw(key), kind, difference=True)
         if found <= 0.0 and default is None:
             table.problem(key, "not above zero", f'e.g. "0.1 {unit}", or none to have it estimated')
         return found
