@@ -15,6 +15,8 @@ HOLDS = {"before": -1.0, "sampled": 0.0, "after": 1.0}
 EVEN, SELDOM = 0.1, 0.01
 #: Input of a replay that says so of what presses; straight from row to row without it.
 PRESS_HOLDS = "press holds"
+#: Input of a replay that says so of whether the motor is released, where its map does.
+RELEASE_HOLDS = "release holds"
 #: Note of a replay (samples,): how long after its rows' stamps a held drive changes, by another
 #: clock [s].
 SHIFT = "drive shift"
@@ -67,6 +69,21 @@ def presses(replay: Replay) -> float:
     """How the pressing input goes on between its rows: one of `HOLDS`."""
     held = replay.inputs.get(PRESS_HOLDS)
     return HOLDS["sampled"] if held is None else float(held[0])
+
+
+def releases(replay: Replay) -> float:
+    """How being released goes on between rows, one of `HOLDS`: as the drive, if nothing says so."""
+    return float(replay.inputs.get(RELEASE_HOLDS, replay.inputs["holds"])[0])
+
+
+def releasing(run: RecordedRun, recording: Recording, name: str) -> dict[str, np.ndarray]:
+    """Whether the motor is released (samples,), and how that goes on between rows, if told."""
+    ones = np.ones(run.time.size)
+    if name not in run.channels:
+        return {"released": 0.0 * ones}
+    channel, released = recording.channels[name], {"released": 1.0 - run.channels[name]}
+    told = {RELEASE_HOLDS: HOLDS[channel.held] * ones} if channel.held_stated else {}
+    return released | told
 
 
 def pressing(run: RecordedRun, recording: Recording, name: str) -> dict[str, np.ndarray]:

@@ -26,7 +26,7 @@ from ..recordings.row_step import row_step
 from ..recordings.smoothing import rate_of_change, speed_width
 from ..recordings.start import Start
 from ..rigs.start_state import first_state
-from .held_inputs import HOLDS, SHIFT, pressing
+from .held_inputs import HOLDS, SHIFT, pressing, releasing
 from .pieces import replayed
 from .signals import AxisSignals
 from .starts import BEGUN_UNTOLD, first_untold, start_states, told_starts
@@ -158,8 +158,8 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
         return {"drive": 0.0 * ones, "released": ones, "holds": 0.0 * ones, **pressed}
     return {
         "drive": run.channels[name] * (power if s.supplied(recording) else ones),
-        "released": 1.0 - run.channels.get(s.engaged, ones),
         "holds": HOLDS[recording.channels[name].held] * ones,
+        **releasing(run, recording, s.engaged),
         **pressed,
     }
 

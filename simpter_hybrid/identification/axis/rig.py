@@ -25,7 +25,7 @@ from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
 from .force_sensor import LATE, force_keys, sensed
-from .held_inputs import HOLDS, SHIFT, between, driving, presses
+from .held_inputs import HOLDS, SHIFT, between, driving, presses, releases
 from .played import played_every
 from .signals import AxisSignals
 from .speed_sensor import (
@@ -146,8 +146,9 @@ class AxisRig(Rig):
         if self.servo or (changes and held and (staged or LATE in inputs)):
             return period
         pressed = "press" not in changes or presses(replay) != sampled
+        freed = "released" not in changes or releases(replay) != sampled
         shift = float(replay.notes[SHIFT][0]) if SHIFT in replay.notes else 0.0
-        return played_every(replay.time, period, bool(changes), held and pressed, shift)
+        return played_every(replay.time, period, bool(changes), held and pressed and freed, shift)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record on the instants at which it is played, each at the middle of its interval.
@@ -160,8 +161,8 @@ class AxisRig(Rig):
         drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
         columns = [
             between(middle, replay.time, replay.inputs["press"], presses(replay)),
-            # As long as what was told; of what goes on between its rows, as the nearest row says.
-            np.round(between(middle, replay.time, replay.inputs["released"], holds)),
+            # Of what goes on between its rows, as the nearest row says.
+            np.round(between(middle, replay.time, replay.inputs["released"], releases(replay))),
         ]
         read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
         late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
