@@ -90,7 +90,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         noise=allowed, plain_first=allowed is not None and not (driven.alone or driven.servo),
         remarks=(
             *told_start(recording), *of_let_alone(recording), *unused(recording, signals.all),
-            *taken_as_exact(recording), *unpressed(predictor, fitted[0], recording),
+            *taken_as_exact(recording), *unpressed(predictor, fitted, recording),
             *scaled_force(recording, declared), *seen_drive(searched, declared, signals),
             *(straight(searched, signals, length) if fitted[0].restarts else ()),
             *(() if driven.alone or driven.servo else opposed(fitted, motor_of(declared)[1])),

@@ -87,7 +87,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     if recording.channels[signals.position].summed:
         known = (*known, signals.speed)
         tried = placeless(predictor, fitted[0], tried, name)
-    remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
+    remarks = (*unused(recording, known), *unpressed(predictor, fitted, recording))
     return Bench(
         parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
         experiments=_planned(recording, predictor, parts, inertia), by_run=several(recording),

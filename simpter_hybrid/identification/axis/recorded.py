@@ -132,12 +132,16 @@ def _unused(signal: str, channel: ChannelMap) -> str:
 
 
 def unpressed(
-    predictor: ScenarioPredictor, replay: Replay, recording: Recording
+    predictor: ScenarioPredictor, fitted: Sequence[Replay], recording: Recording
 ) -> tuple[Finding, ...]:
-    """A remark where what presses was logged, and the declared model does not ask for it."""
+    """A remark where what presses was logged, and the declared model does not ask for it.
+
+    Judged by the run that is pressed most: one in which nothing presses is the same without it.
+    """
     channel = recording.channels.get(AxisSignals().press)
     if channel is None:
         return ()
+    replay = max(fitted, key=lambda run: float(np.abs(run.inputs["press"]).max()))
     values = {p.name: p.value for p in predictor.parameters}
     idle = replace(replay, inputs={**replay.inputs, "press": 0.0 * replay.inputs["press"]})
     here, there = (predictor.predict(values, [r]) for r in (replay, idle))
