@@ -76,7 +76,9 @@ def _law(name: str, recording: Recording, declared: Scenario, s: AxisSignals) ->
         return f"{BY_IT}there is no sign: is it the size of it, or the supply's?"
     line = _line(rows)
     spread, left = float(np.std(seen)), float(np.std(seen - _columns(rows) @ line))
-    if line[1] <= 0.0 or left**2 > (1.0 - OFF) * spread**2:
+    # A current goes with what is told; a force as its declared constant has it.
+    way = 1.0 if name == f"{SEEN}current" else float(np.sign(motors[0].constant))
+    if line[1] * way <= 0.0 or left**2 > (1.0 - OFF) * spread**2:
         return f"{BY_IT}nothing of what is told arrives, or its sign in the map is wrong"
     if left > max(LEFT * spread, NOISY * noise_estimate(seen)):
         part = 100.0 * left / spread
