@@ -51,12 +51,12 @@ def test_what_is_not_held_or_not_moved_changes_at_its_rows(held, shift):
 
 @pytest.mark.parametrize(("part", "steps"), [(-0.5, 2), (0.25, 4), (-1.0, 1), (1.0 / 3.0, 3)])
 def test_it_is_played_in_steps_that_end_where_it_changes(part, steps):
-    every = played_every(TIME, 1e-5, changes=True, held=True, shift=part * STEP)
+    every = played_every(TIME, 1e-5, changes=True, held=True, shifts=[part * STEP])
     assert every == pytest.approx(STEP / steps)
 
 
 def test_a_part_that_no_few_steps_meet_is_played_finely():
-    every = played_every(TIME, 1e-5, changes=True, held=True, shift=0.0123 * STEP)
+    every = played_every(TIME, 1e-5, changes=True, held=True, shifts=[0.0123 * STEP])
     assert every == pytest.approx(STEP / 20)
 
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from ..fitting.replay import Replay
+from ..recordings.clocks import within_row
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import GAP
 
@@ -17,9 +20,9 @@ EVEN, SELDOM = 0.1, 0.01
 PRESS_HOLDS = "press holds"
 #: Input of a replay that says so of whether the motor is released, where its map does.
 RELEASE_HOLDS = "release holds"
-#: Note of a replay (samples,): how long after its rows' stamps a held drive changes, by another
-#: clock [s].
-SHIFT = "drive shift"
+#: Notes of a replay (samples,) by its inputs: how long after its rows' stamps one that is held
+#: changes, by another clock [s].
+SHIFTS = {"drive": "drive shift", "press": "press shift", "released": "release shift"}
 
 
 def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
@@ -63,6 +66,29 @@ def _slope(steps: np.ndarray, rises: np.ndarray, row: np.ndarray) -> np.ndarray:
     """Slope at rows of the parabolas through each and its two neighbours."""
     before, after = steps[row - 1], steps[row]
     return (after * rises[row - 1] / before + before * rises[row] / after) / (before + after)
+
+
+def shifted(
+    run: RecordedRun, recording: Recording, names: Mapping[str, str]
+) -> dict[str, np.ndarray]:
+    """The notes `SHIFTS` of a run; none of an input that changes at its rows' stamps.
+
+    Parameters
+    ----------
+    run : RecordedRun
+    recording : Recording
+    names : mapping of str to str
+        Inputs -> names of their channels.
+    """
+    there = {of: recording.channels[name] for of, name in names.items() if name in run.channels}
+    late = {SHIFTS[of]: within_row(run.time, channel) for of, channel in there.items()}
+    return {note: np.full(run.time.size, shift) for note, shift in late.items() if shift}
+
+
+def shift_of(replay: Replay, name: str) -> float:
+    """How long after its rows' stamps an input changes [s]."""
+    note = SHIFTS[name]
+    return float(replay.notes[note][0]) if note in replay.notes else 0.0
 
 
 def presses(replay: Replay) -> float:

@@ -7,6 +7,8 @@ nothing that the rows do not hold.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 #: An input that goes on between its rows is played in so many steps for each, none longer [s].
@@ -23,7 +25,7 @@ FINEST = 20
 
 
 def played_every(
-    time: np.ndarray, declared: float, changes: bool, held: bool, shift: float = 0.0
+    time: np.ndarray, declared: float, changes: bool, held: bool, shifts: Sequence[float] = ()
 ) -> float:
     """How often a record is played [s]: never more often than `declared`.
 
@@ -37,8 +39,8 @@ def played_every(
         Whether any input does.
     held : bool
         Whether what changes is constant from row to row; else it goes on between them.
-    shift : float
-        How long after its rows' stamps a held input changes [s].
+    shifts : sequence of float
+        How long after its rows' stamps each held input changes [s].
     """
     if time.size < 2:
         return declared
@@ -48,8 +50,9 @@ def played_every(
     if np.abs(time - step * np.arange(time.size)).max() > OFF * step:
         return declared  # a step would be partly of one row and partly of the next
     steps = 1 if held else max(STEPS, int(np.ceil(step / LONGEST)))
-    if shift:
-        within = (n * shift / step for n in range(steps, FINEST + 1))
-        fitting = (n for n, at in enumerate(within, steps) if abs(at - round(at)) <= OFF)
+    if any(shifts):
+        parts = np.array(shifts) / step
+        within = (n * parts for n in range(steps, FINEST + 1))
+        fitting = (n for n, at in enumerate(within, steps) if np.all(abs(at - np.round(at)) <= OFF))
         steps = next(fitting, max(steps, FINEST))
     return max(declared, step / steps)

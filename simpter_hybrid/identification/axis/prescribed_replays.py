@@ -13,7 +13,7 @@ from ..recordings.noise import channel_noise, coarse_step, noise_estimate, noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import gaps, row_step
 from .force_sensor import LONGEST
-from .held_inputs import pressing
+from .held_inputs import pressing, shifted
 from .pieces import replayed
 from .position_motion import motion_of
 
@@ -92,7 +92,8 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     speed = np.where(resolved, speed, _between(time, position, thin))
     inputs = {name: values[thin] for name, values in pressing(run, recording, s.press).items()}
     notes = {"position": position, "speed": speed, "acceleration": bent,
-             CLEARER: np.full(time.size, own < inertial), WHY: why}  # fmt: skip
+             CLEARER: np.full(time.size, own < inertial), WHY: why,
+             **shifted(run, recording, {"press": s.press})}  # fmt: skip
     seen = Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])
     observed = {s.force: replace(seen, step=coarse_step(force) or 0.0)}
     thinned = {name: values[thin] for name, values in notes.items()}

@@ -29,7 +29,7 @@ from ..tracing.coordinates import carried_on, coordinates
 from ..tracing.logged import told_apart
 from ..tracing.trace import PLACE, Trace, force_trace
 from .force_sensor import TIMING, force_keys, shown, unshown
-from .held_inputs import HOLDS, between, presses
+from .held_inputs import HOLDS, between, presses, shift_of
 from .played import played_every
 from .prescribed_replays import CLEARER, SET, PrescribedSignals
 
@@ -71,12 +71,13 @@ class PrescribedRig(Rig):
         """As often as the rows need; one that nothing presses otherwise in time needs no more."""
         press = replay.inputs["press"]
         held = presses(replay) != HOLDS["sampled"]
-        return played_every(replay.time, period, bool(np.any(press != press[0])), held)
+        changes, shifts = bool(np.any(press != press[0])), [shift_of(replay, "press")]
+        return played_every(replay.time, period, changes, held, shifts)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The pressure as it is played, at the middle of each interval."""
         count = max(1, int(np.ceil(replay.time[-1] / period)))
-        middle = (np.arange(count) + 0.5) * period
+        middle = (np.arange(count) + 0.5) * period - shift_of(replay, "press")
         press = between(middle, replay.time, replay.inputs["press"], presses(replay))
         rows = np.column_stack([press, np.ones(count), np.zeros(count)])
         return np.concatenate([[1.0, 1.0, count], rows.ravel()])

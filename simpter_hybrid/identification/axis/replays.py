@@ -16,7 +16,6 @@ from dataclasses import replace
 import numpy as np
 
 from ..fitting.replay import Observation, Replay, Restart
-from ..recordings.clocks import within_row
 from ..recordings.course import course_of
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import told_of_run
@@ -26,7 +25,7 @@ from ..recordings.row_step import row_step
 from ..recordings.smoothing import rate_of_change, speed_width
 from ..recordings.start import Start
 from ..rigs.start_state import first_state
-from .held_inputs import HOLDS, SHIFT, pressing, releasing
+from .held_inputs import HOLDS, pressing, releasing, shifted
 from .pieces import replayed
 from .signals import AxisSignals
 from .starts import BEGUN_UNTOLD, first_untold, start_states, told_starts
@@ -165,7 +164,6 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
 
 
 def _shifted(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:
-    """How long after its rows' stamps a held drive changes (samples,), if it does not there."""
-    name = next((d for d in (*s.drive, s.reference) if d in run.channels), None)
-    shift = within_row(run.time, recording.channels[name]) if name is not None else 0.0
-    return {SHIFT: np.full(run.time.size, shift)} if shift else {}
+    """How long after its rows' stamps each held input changes (samples,), if it does not there."""
+    driving = next((d for d in (*s.drive, s.reference) if d in run.channels), "")
+    return shifted(run, recording, {"drive": driving, "press": s.press, "released": s.engaged})

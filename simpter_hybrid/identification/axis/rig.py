@@ -25,7 +25,7 @@ from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
 from .force_sensor import LATE, force_keys, sensed
-from .held_inputs import HOLDS, SHIFT, between, driving, presses, releases
+from .held_inputs import HOLDS, between, driving, presses, releases, shift_of
 from .played import played_every
 from .signals import AxisSignals
 from .speed_sensor import (
@@ -147,8 +147,8 @@ class AxisRig(Rig):
             return period
         pressed = "press" not in changes or presses(replay) != sampled
         freed = "released" not in changes or releases(replay) != sampled
-        shift = float(replay.notes[SHIFT][0]) if SHIFT in replay.notes else 0.0
-        return played_every(replay.time, period, bool(changes), held and pressed and freed, shift)
+        shifts = [shift_of(replay, name) for name in PLAYED_BACK if name in changes]
+        return played_every(replay.time, period, bool(changes), held and pressed and freed, shifts)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record on the instants at which it is played, each at the middle of its interval.
@@ -159,16 +159,16 @@ class AxisRig(Rig):
         count = max(1, int(np.ceil(replay.time[-1] / period))) + self.servo
         middle = (np.arange(count) + 0.5) * period
         drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
+        press, released = (middle - shift_of(replay, name) for name in ("press", "released"))
         columns = [
-            between(middle, replay.time, replay.inputs["press"], presses(replay)),
+            between(press, replay.time, replay.inputs["press"], presses(replay)),
             # Of what goes on between its rows, as the nearest row says.
-            np.round(between(middle, replay.time, replay.inputs["released"], releases(replay))),
+            np.round(between(released, replay.time, replay.inputs["released"], releases(replay))),
         ]
         read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
         late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
-        late = late - replay.notes[SHIFT][0] if SHIFT in replay.notes else late
         told = between if self.servo else driving
-        columns.append(told(late, replay.time, drive, holds))
+        columns.append(told(late - shift_of(replay, "drive"), replay.time, drive, holds))
         rows, steps = np.column_stack(columns), holds != HOLDS["sampled"]
         return np.concatenate([[np.inf if steps else period, 1.0, count], rows.ravel()])
 

@@ -15,10 +15,15 @@ from .runs import RunSpan
 
 #: What is held changes at a row's stamp if it does so within this part of a step.
 SAME = 0.05
+#: It is moved to the nearest row; of two as near, rounding must not choose: the later is taken.
+NEAREST = 0.5 - SAME
 
 
 def moved(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> np.ndarray:
-    """A channel at the rows' stamps, as it goes on between its own; beyond these its end value."""
+    """A channel at the rows' stamps, as it goes on between its own; beyond these its end value.
+
+    What is held is moved by whole rows, to the nearest: `within_row` tells what is left.
+    """
     own = time + channel.clock_shift
     if channel.held == "sampled":
         return np.interp(time, own, values)
@@ -52,12 +57,13 @@ def within_row(time: np.ndarray, channel: ChannelMap) -> float:
 def _held(time: np.ndarray, own: np.ndarray, channel: ChannelMap) -> np.ndarray:
     """Rows that hold at `time` of a channel that changes at `own`; below 0 or beyond: none."""
     steps = np.diff(own)
-    near = SAME * float(np.median(steps)) if steps.size else 0.0
+    usual = float(np.median(steps)) if steps.size else 0.0
+    near = NEAREST * usual
     if channel.held == "after":
         at = np.searchsorted(own, time + near, side="right") - 1
     else:
         at = np.searchsorted(own, time - near, side="left")
-    if not steps.size or np.ptp(steps) > 2.0 * near:
+    if not steps.size or np.ptp(steps) > 2.0 * SAME * usual:
         return at
     # Of even stamps all rows are moved alike: rounding must not part them where `near` ends.
     rows = np.arange(time.size)
