@@ -11,6 +11,9 @@ from .layout import Layout, is_read
 from .text_rows import Line, cells_of
 from .text_table import SOUGHT, lines_of, mark_of
 
+#: So many rows of whole numbers are passed over for one that shows the decimal sign.
+WHOLE = 10_000
+
 
 class _Row(NamedTuple):
     """A line taken as a row: which of its cells are numbers or dates."""
@@ -45,8 +48,14 @@ def seen_layout(source: str) -> Layout:
             continue
         told = not row.holds[0] and cells_of(line.text, row.mark)[0].strip()
         if not told or not _usual_first(lines[at + 1 : at + SOUGHT], len(row.holds)):
-            return _laid_out(lines[:at], line, row)
+            return _laid_out(lines[:at], line, _as_row(line, _decimal_of(lines[at : at + WHOLE])))
     return Layout()
+
+
+def _decimal_of(lines: Sequence[Line]) -> str:
+    """The decimal sign of the first line that has one: whole numbers, as of zeros, tell none."""
+    told = (_decimal(line) for line in lines if "," in line.text or "." in line.text)
+    return next((sign for sign in told if sign), ".")
 
 
 def _usual_first(below: Sequence[Line], count: int) -> bool:
@@ -58,18 +67,21 @@ def _usual_first(below: Sequence[Line], count: int) -> bool:
     return 2 * sum(holds[0] for holds in rows) > len(rows)
 
 
-def _as_row(line: Line) -> _Row:
-    """The line's cells with the decimal sign by which more of them are numbers."""
-    rows = []
-    for decimal in (".", ","):
-        layout = Layout(decimal=decimal)
-        mark = mark_of(line.text, line.text, layout)
-        readers = layout.number, datetime.fromisoformat
-        holds = tuple(any(is_read(c, read) for read in readers) for c in cells_of(line.text, mark))
-        rows.append(_Row(mark, decimal, holds))
-    point, comma = rows
-    better = sum(comma.holds) * len(point.holds) > sum(point.holds) * len(comma.holds)
-    return comma if better else point
+def _as_row(line: Line, decimal: str = "") -> _Row:
+    """The line's cells with a decimal sign; without any by which more of them are numbers."""
+    decimal = decimal or _decimal(line) or "."
+    layout = Layout(decimal=decimal)
+    mark = mark_of(line.text, line.text, layout)
+    readers = layout.number, datetime.fromisoformat
+    holds = tuple(any(is_read(c, read) for read in readers) for c in cells_of(line.text, mark))
+    return _Row(mark, decimal, holds)
+
+
+def _decimal(line: Line) -> str:
+    """The sign by which more of a line's cells are numbers; none where it makes no difference."""
+    point, comma = (_as_row(line, sign).holds for sign in (".", ","))
+    apart = sum(comma) * len(point) - sum(point) * len(comma)
+    return "," if apart > 0 else "." * (apart < 0)
 
 
 def _laid_out(above: Sequence[Line], first: Line, row: _Row) -> Layout:
