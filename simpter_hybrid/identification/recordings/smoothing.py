@@ -78,7 +78,8 @@ def even_stretches(time: np.ndarray, least: int) -> list[slice]:
 def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.ndarray:
     """`derivative` of a channel at its stamps (samples,).
 
-    Between single lost rows as it goes on; each piece between gaps by itself.
+    Between single lost rows as it goes on; each piece between gaps by itself, a short one as a
+    line.  Of a row alone nothing is told: 0.
     """
     step = row_step(time)
     if even_step(time) is not None:
@@ -90,6 +91,8 @@ def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.nda
         if grid.size >= FEWEST:
             made = derivative(np.interp(grid, t, values[a:b]), step, width)
             found[a:b] = np.interp(t, grid, made)
+        elif t.size > 1:
+            found[a:b] = np.polyfit(t - t[0], values[a:b], 1)[0]
     return found
 
 
