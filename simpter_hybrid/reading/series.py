@@ -109,7 +109,7 @@ def _bad_cells(
 
 def _number(cell: str) -> float:
     try:
-        return float(cell)
+        return math.nan if "_" in cell else float(cell)  # Python reads 1_0 as 10
     except ValueError:
         return math.nan
 

@@ -48,7 +48,7 @@ def read_files(files: Sequence[str], described: RecordingMap) -> Columns:
 
 
 def names_of(files: Sequence[str]) -> list[str]:
-    """Short names that differ: without the folders that all share."""
+    """Names that differ: without folders, or, where some are alike, with them as given."""
     names = [Path(file).name for file in files]
     return names if len(set(names)) == len(names) else [Path(f).as_posix() for f in files]
 

@@ -134,8 +134,8 @@ def _right(cell: str, layout: Layout) -> str:
 
 
 def cells_of(line: str, mark: str) -> list[str]:
-    """Cells of a row, less the quotes around them."""
+    """Cells of a row, less the quotes around them, also of those behind a blank."""
     if '"' in line:
         whole = line.strip() if mark == WHITE else line
-        return next(csv.reader([whole], delimiter=mark, skipinitialspace=mark == WHITE))
+        return next(csv.reader([whole], delimiter=mark, skipinitialspace=mark != "\t"))
     return line.split() if mark == WHITE else line.split(mark)
