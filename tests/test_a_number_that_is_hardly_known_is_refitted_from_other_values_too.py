@@ -56,8 +56,9 @@ def test_it_is_found_within_its_tolerance():
 
 
 def test_beyond_its_tolerance_it_is_asked_about(monkeypatch):
-    module = "simpter_hybrid.identification.far_off.validate"
-    monkeypatch.setattr(module, lambda scenario: None)
+    module = "simpter_hybrid.identification.far_off"
+    monkeypatch.setattr(f"{module}.validate", lambda scenario: None)
+    monkeypatch.setattr(f"{module}._moved_untold", lambda predictor: ())  # of no scenario
     narrow, split = swinging(0.1), Split([run(1), run(2)], [run(3)], [])
     model = refitted(narrow, split)
     led_astray = replace(model, values={**model.values, "scale": 0.3})
