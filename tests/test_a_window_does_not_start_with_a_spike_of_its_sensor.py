@@ -7,8 +7,8 @@ from two_joints import declared_joints, recorded_joints
 from simpter_hybrid.identification.axis.joints_rig import joint_replays
 from simpter_hybrid.identification.recordings.course import course
 
-#: Row at which a window starts, and the rows beside it to which its start is fitted.
-START, BESIDE = 100, range(97, 104)
+#: Row at which a window starts, and some of those to which its start is fitted.
+START, BESIDE = 100, (97, 100, 103)
 NOISE = 0.01
 
 

@@ -41,7 +41,9 @@ def _recorded_joints(folder):
     return recorded_joints(folder, declared_joints(), t_end=3.6, pieces=3), declared_joints()
 
 
-@pytest.mark.parametrize("recorded", [_recorded_tip, _recorded_joints])
+@pytest.mark.parametrize(
+    "recorded", [pytest.param(_recorded_tip, marks=pytest.mark.slow), _recorded_joints]
+)
 def test_nothing_fails(tmp_path, recorded):
     found = diagnose(*recorded(tmp_path), candidates=(), ended=lambda: True)
     told = held_out_predictions(found)

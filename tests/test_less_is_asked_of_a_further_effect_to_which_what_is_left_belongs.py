@@ -21,7 +21,7 @@ def _asked(
     )
     candidate = SimpleNamespace(
         name="stribeck", family="velocity", coordinates=(own,), contains=(), declared=False,
-        parameters=("rise", "fade"), least=least,
+        yields_to="", parameters=("rise", "fade"), least=least,
     )  # fmt: skip
     trial = SimpleNamespace(candidate=candidate, share=share, gain=gain, select_error=1.07)
     given = SimpleNamespace(limit=limit, floor=1.0)
