@@ -58,8 +58,10 @@ def test_it_is_what_another_direction_of_gravity_does():
         assert total == pytest.approx(moments)
 
 
-def test_it_is_asked_of_relative_angles_alone():
-    assert isinstance(_tilt().load, LinkWeights)
+def test_it_is_asked_of_relative_angles_that_no_weight_turns_alone():
+    weightless = replace(declared_joints().device, gravity=0.0)
+    assert isinstance(_tilt(weightless).load, LinkWeights)
+    assert _tilt().load is None
     for other in (InSpace(), PanAndTilt()):
         assert _tilt(other).load is None
         assert [e.coordinate for e in _tilt(other).effects()] == [0, 1]

@@ -15,7 +15,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.effect_candidate import EffectCandidate
 from .candidates import SPEED, tip_candidates
-from .link_weights import are_relative, link_weights
+from .link_weights import are_relative, link_weights, weighs_nothing
 from .made import SWITCHING, made, of_clutches
 from .structure import time_constants
 from .ways import Ways, along, unit_ways
@@ -74,7 +74,7 @@ def joint_candidates(
             kept.append(c)
         elif own := [place for place in c.places if place in clutches]:
             kept.append(c.only(own))  # and none of pairs of clutches
-    if are_relative(declared):
+    if are_relative(declared) and weighs_nothing(declared):
         kept = [link_weights(TILT, force) if c.name == TILT else c for c in kept]
     yielding = _giving_way(n, travels, alike=not ways.mixed)
     beside = (*_of_directions(m, n, force), *yielding, *_of_loads(m, n), *_of_drives(n, turned))

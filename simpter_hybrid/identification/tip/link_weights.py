@@ -34,6 +34,18 @@ def are_relative(declared: Scenario) -> bool:
     return bool(np.ptp(coupling) > most and all(np.all(np.abs(x) <= most) for x in same))
 
 
+def weighs_nothing(declared: Scenario) -> bool:
+    """Whether a device of two joints declares no force by its place in any pose.
+
+    One with weights takes other ones for a tilt: of a pendulum whose weights were refitted it was
+    said to stand tilted, by moments along its own weight.
+    """
+    if "conservative_force" not in declared.device.functions():
+        return True
+    poses = np.random.default_rng(1).uniform(-np.pi, np.pi, (POSES, 2))
+    return not every_pose(declared, "conservative_force", poses, (2, 1)).any()
+
+
 def link_weights(name: str, force: float) -> EffectCandidate:
     """Candidate: weights that go by the links' angles in space, as of a base that is tilted.
 
