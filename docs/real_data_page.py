@@ -111,10 +111,11 @@ kg), which the model is not told.""",
     "dfki_double_pendulum": """\
 **Double pendulum.** Both joints are driven, with torques as reported. Masses and lengths are as the
 authors identified them; friction lies between their two models, which differ tenfold in it.
-"Published" is model_1.0. The data point to Stribeck friction, which takes 20 and 24 % of the
-held-out errors of the two joints away, and do not exclude friction that goes by the angle, of a
-size of its own in each joint. Three times the noise is left, and the torque constant of the
-shoulder differs from run to run (0.73 to 1.27 of its median). Before a fix of 28 November the
+"Published" is model_1.0. The data point to friction that goes by the angle, of a size of
+its own in each joint, which takes 18 and 17 % of the held-out errors of the two joints away, and do
+not exclude a quadratic drag, or weights off the axes. Three times the noise is left, and the torque
+constant of the shoulder differs from run to run (0.73 to 1.27 of its median). Little separates
+these names: earlier programs said Stribeck friction (20 and 24 %). Before a fix of 28 November the
 verdict was "unknown": the refit was held by tolerances that weighed too much, and its held-out
 errors were lower (0.435 and 0.866 rad/s). Half a second of a fast double pendulum is a hard
 prediction; the remaining error is large, and so are the fitted changes of declared friction.""",
