@@ -13,18 +13,11 @@ from .rows import Engine, Row, claim, number, uncomparable
 
 def calibration(engine: Engine) -> list[Row]:
     """Equations (36), (38), (40)-(42) and the filter of 4.6, recomputed from what is printed."""
-    tachometer = 1000.0 / 3.0 / 20.0 / 60.0 * 2.0 * math.pi
-    excitation = 681.139 / 171.988 * 1000.0 / 396.0
-    modulus, bore, length = 26e9, 0.0273, 0.0508
-    stiffness = modulus * math.pi * bore**4 / 32.0 / length
-    inertia = 0.5 * 5.262 * (0.1397**2 + 0.09525**2)
-    frequency = math.sqrt(stiffness / inertia)
-    thin = math.sqrt(modulus * math.pi * (1.03125 * INCH) ** 4 / 32.0 / length / inertia)
-    delay = filter_delay(150.0, 4)
-    # 2 in of aluminium (0.0975 lbm/in^3), 1 1/32 in thick, against the coil's 11.6 lbm.
-    ratio = 11.6 / (0.0975 * math.pi / 4.0 * 1.03125**2 * 2.0)
-    # Rayleigh: a uniform spring counts as a third of its mass at its moving end.
-    low = 1.0 - 1.0 / math.sqrt(1.0 + 1.0 / 3.0 / 45.0)
+    return [*sensor_sheet(), *sensor_mass(), *gains(), *resonance(), *filtering()]
+
+
+def sensor_sheet() -> list[Row]:
+    """The torque sensor's own calibration (37)."""
     return [
         uncomparable(
             "A2",
@@ -33,6 +26,16 @@ def calibration(engine: Engine) -> list[Row]:
             "not rebuilt",
             "the points of the sheet are lost",
         ),
+    ]
+
+
+def sensor_mass() -> list[Row]:
+    """Whether the torque sensor is a spring without mass."""
+    # 2 in of aluminium (0.0975 lbm/in^3), 1 1/32 in thick, against the coil's 11.6 lbm.
+    ratio = 11.6 / (0.0975 * math.pi / 4.0 * 1.03125**2 * 2.0)
+    # Rayleigh: a uniform spring counts as a third of its mass at its moving end.
+    low = 1.0 - 1.0 / math.sqrt(1.0 + 1.0 / 3.0 / 45.0)
+    return [
         uncomparable(
             "A5",
             "the coil's mass is about 45 times the sensor's",
@@ -50,6 +53,14 @@ def calibration(engine: Engine) -> list[Row]:
             low < 0.01,
             lowered=low,
         ),
+    ]
+
+
+def gains() -> list[Row]:
+    """What a volt of the tachometer (36) and of the torque amplifier (38) means."""
+    tachometer = 1000.0 / 3.0 / 20.0 / 60.0 * 2.0 * math.pi
+    excitation = 681.139 / 171.988 * 1000.0 / 396.0
+    return [
         number(
             "A1",
             "tachometer gain (36), 3 V per 1000 rpm and 20:1",
@@ -67,6 +78,17 @@ def calibration(engine: Engine) -> list[Row]:
             abs(excitation - 10.0) < 0.01,
             excitation=excitation,
         ),
+    ]
+
+
+def resonance() -> list[Row]:
+    """The coil on the torque sensor as an oscillator (40)-(42)."""
+    modulus, bore, length = 26e9, 0.0273, 0.0508
+    stiffness = modulus * math.pi * bore**4 / 32.0 / length
+    inertia = 0.5 * 5.262 * (0.1397**2 + 0.09525**2)
+    frequency = math.sqrt(stiffness / inertia)
+    thin = math.sqrt(modulus * math.pi * (1.03125 * INCH) ** 4 / 32.0 / length / inertia)
+    return [
         number("A4", "sensor stiffness (40)", 27910.0, stiffness, "N m/rad", relative=1e-3),
         number("A4", "coil inertia (41)", 0.07522, inertia, "kg m^2", relative=1e-3),
         number("A4", "natural frequency (42)", 609.1, frequency, "rad/s", relative=1e-3),
@@ -82,6 +104,13 @@ def calibration(engine: Engine) -> list[Row]:
             printed_diameter=frequency / 2 / math.pi,
             text_diameter=thin / 2 / math.pi,
         ),
+    ]
+
+
+def filtering() -> list[Row]:
+    """What the filter of 4.6 delays."""
+    delay = filter_delay(150.0, 4)
+    return [
         claim(
             "A6",
             "delay of a causal 4th-order Butterworth filter at 150 Hz",
