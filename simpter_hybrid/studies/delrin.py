@@ -48,22 +48,27 @@ def delrin(size: int = 24) -> Study:
     steel, none = dragged[1.0][SPEEDS[0]], dragged[0.0][SPEEDS[0]]
     return Study(
         "Delrin on steel: does a smaller gap between static and sliding make it smoother?",
-        "thesis 6.3.2; what the pair's curves are is not printed, the gap is varied instead",
+        "thesis, section 6.3.2; the friction curves of this pair are not printed, so the gap "
+        "between static and sliding friction is varied instead",
         ABOUT.format(size=size)
-        + " The gap between breakaway (43) and slip torque at rest (39) is multiplied. One clutch "
-        "at 4 V is also dragged at constant speed through a cable of 75 N m/rad and 0.5 N m s/rad.",
+        + " The variants multiply the gap between the breakaway torque, equation (43), and the "
+        "slip torque at rest, equation (39). Besides, one clutch at 4 V is dragged at constant "
+        "speed by a cable with a stiffness of 75 N m/rad and a damping of 0.5 N m s/rad.",
         (
             comparison(found, STEEL, "On the line"),
             drag_table(dragged),
         ),
         (
-            "On the line jerk falls with no gap at all for these shares of the plausible inputs: "
-            f"{verdict(found, even, STEEL, 'jerk')}; for more than three quarters with "
+            "On the line, no gap at all means less jerk for these shares of the plausible inputs: "
+            f"{verdict(found, even, STEEL, 'jerk')}. That is more than three quarters with: "
             f"{', '.join(better) or 'no controller'}.",
-            f"Tracking: the error is smaller for {verdict(found, even, STEEL, 'error')}.",
-            f"A clutch dragged at {SPEEDS[0]:g} rad/s swings by {steel[0]:.1f} lb-in and sticks "
-            f"{steel[1]} times with steel, by {none[0]:.1f} lb-in and {none[1]} times without a "
-            "gap: there, where one clutch sticks and slips against a spring, the gap is the cause.",
+            "No gap at all means less error for these shares: "
+            f"{verdict(found, even, STEEL, 'error')}.",
+            f"When one clutch is dragged at {SPEEDS[0]:g} rad/s with the gap of steel, the cable's "
+            f"torque swings by {steel[0]:.1f} lb-in and the clutch sticks again "
+            f"{times(steel[1])}; without a gap the torque swings by {none[0]:.1f} lb-in and the "
+            f"clutch sticks again {times(none[1])}. Here, where one clutch sticks and slips "
+            "against a spring, the gap is the cause.",
         ),
         {"ratios": ratios(found, STEEL), "dragged": {str(k): v for k, v in dragged.items()}},
         ratio_picture(found, STEEL, "Gap between static and sliding friction"),
@@ -71,11 +76,16 @@ def delrin(size: int = 24) -> Study:
     )
 
 
+def times(count: int) -> str:
+    """A count in words."""
+    return "1 time" if count == 1 else f"{count} times"
+
+
 def drag_table(dragged: dict[float, dict[float, tuple[float, int]]]) -> Table:
     """Swing and sticking by gap and speed."""
     return Table(
-        "One clutch at 4 V dragged by a cable for 6 s: swing of the cable's torque after the first "
-        "slip [lb-in], and how often the clutch stuck again",
+        "One clutch at 4 V, dragged by a cable for 6 s: by how much the cable's torque swings "
+        "after the clutch first slips [lb-in], and in brackets how often the clutch sticks again",
         ("gap", *(f"{v:g} rad/s" for v in SPEEDS)),
         tuple(
             (name_of(s), *(f"{a:.1f} ({k})" for a, k in row.values())) for s, row in dragged.items()

@@ -44,25 +44,28 @@ def gradual(size: int = 24) -> Study:
     trend = "grows" if worse[both[-1]] > max(worse[both[0]], 1.0) else "does not grow"
     return Study(
         "Velocity control with gradual application and release: smoother, and at what price?",
-        "thesis 6.2.2.2 and 6.3.1; how long a fade would take is not printed",
-        ABOUT.format(size=size) + " Between torque selector and table every clutch has a weight "
-        "that rises and falls linearly (controllers.blending). Fades shorter than a sample of "
-        "6.7 ms are steps.",
+        "thesis, sections 6.2.2.2 and 6.3.1, which do not print how long a fade would take",
+        ABOUT.format(size=size) + " Between the torque selector and the lookup table every clutch "
+        "is given a weight that rises and falls linearly (controllers.blending). This is the fade; "
+        "the times are how long it takes. A fade that is shorter than one sample of 6.7 ms is a "
+        "step.",
         (comparison(found, STEP, "Velocity controller, 150 Hz"),),
         (
-            f"Least jerk, of fades with which four fifths arrive, with {best}: median ratio "
-            f"{smoother[best][0]:.2f} to steps, less for "
-            f"{100 * smoother[best][1]:.0f} % of the plausible inputs. "
+            "Of the fades with which more than four fifths of the runs reach the end, this one has "
+            f"the least jerk: {best}. Compared with steps, its jerk has a median ratio of "
+            f"{smoother[best][0]:.2f} and is less for {100 * smoother[best][1]:.0f} % of the "
+            "plausible inputs. "
             + (
-                "The decrease the thesis expects is there."
+                "The decrease that the thesis expects is there."
                 if smoother[best][1] > 0.75 and smoother[best][0] < 1.0
-                else "The decrease the thesis expects is not there in general: the fade is a delay "
-                "in a loop that picks one clutch at a time."
+                else "The decrease that the thesis expects is not there in general: a fade delays "
+                "a loop that picks one clutch at a time."
             ),
-            f"The error {trend} with the fade: median ratios "
-            + ", ".join(f"{v} {r:.2f}" for v, r in worse.items())
+            f"The error {trend} with the length of the fade. Median ratios to steps: "
+            + ", ".join(f"{v}: {r:.2f}" for v, r in worse.items())
             + ".",
-            f"Jerk at {both[-1]}: less for {verdict(found, both[-1], STEP, 'jerk')}.",
+            f"A fade of {both[-1]} has less jerk than steps for these shares of the plausible "
+            f"inputs: {verdict(found, both[-1], STEP, 'jerk')}.",
         ),
         {"ratios": ratios(found, STEP)},
         ratio_picture(found, STEP, "Clutches faded in and out, against steps"),

@@ -80,11 +80,13 @@ def measurements(size: int = 24) -> Study:
     )  # fmt: skip
     return Study(
         "Controllers on noisy and quantised measurements: what do they lose?",
-        "thesis 6.3.1 (different levels of noise), 6.3.2 (encoders, tachometers)",
-        f"The line y = 24 in with nominal inputs, {size} seeds a sensor. Positions are read at "
-        "150 Hz, speeds come from differences of readings, filtered where it says so, or from a "
-        f"tachometer (5 mrad/s). The potentiometer has {1e3 * NOISE:g} mrad of noise and 12 bits "
-        f"over 270 degrees ({1e3 * BITS:.2g} mrad); neither is printed in the thesis.",
+        "thesis, sections 6.3.1 (different levels of noise) and 6.3.2 (encoders, tachometers)",
+        f"Every run follows the line y = 24 in with the nominal inputs, {size} times for each "
+        "sensor, each time with another seed of the noise. Positions are read at 150 Hz. Speeds "
+        "are differences of these readings, filtered where the table says so, or come from a "
+        f"tachometer (noise of 5 mrad/s). The potentiometer has {1e3 * NOISE:g} mrad of noise, and "
+        f"its converter has 12 bits over 270 degrees ({1e3 * BITS:.2g} mrad a step); the thesis "
+        "prints neither. The factors in the findings compare medians over the seeds.",
         (
             Table(
                 "Median over the seeds (10th to 90th percentile)",
@@ -97,7 +99,8 @@ def measurements(size: int = 24) -> Study:
         {f"{c}, {name}": {"error": m.error.tolist(), "jerk": m.jerk.tolist()}
          for (c, name), m in found.items()},
         picture(found),
-        "Median and 10th to 90th percentile over the seeds; dotted: with the true state.",
+        "Dots: median over the seeds. Bars: 10th to 90th percentile. Dotted lines: with the "
+        "true state.",
     )  # fmt: skip
 
 
@@ -106,21 +109,23 @@ def sentences(found: dict[tuple[str, str], Measured]) -> tuple[str, ...]:
 
     def times(controller: str, name: str, what: str, base: str = TRUE) -> str:
         one, other = (np.median(getattr(found[controller, n], what)) for n in (name, base))
-        return f"{controller} x {one / other:.2f}"
+        return f"{one / other:.2f} ({controller})"
 
     def all_of(name: str, what: str, base: str = TRUE) -> str:
         return ", ".join(times(c, name, what, base) for c in CONTROLLERS)
 
     fine, tacho = "encoder, 65536 counts", "potentiometer and tachometer"
     return (
-        f"A differentiated potentiometer against the true state: error {all_of(POT, 'error')}; "
-        f"jerk {all_of(POT, 'jerk')}.",
-        f"An encoder of 65536 counts: error {all_of(fine, 'error')}; jerk {all_of(fine, 'jerk')}.",
-        "A filter of 30 ms on the potentiometer's speeds, against none: error "
-        f"{all_of('potentiometer, 30 ms filter', 'error', POT)}; jerk "
+        "Readings of a potentiometer, differentiated to get speeds, instead of the true state "
+        f"multiply the error by {all_of(POT, 'error')}, and the jerk by {all_of(POT, 'jerk')}.",
+        "An encoder of 65536 counts instead of the true state multiplies the error by "
+        f"{all_of(fine, 'error')}, and the jerk by {all_of(fine, 'jerk')}.",
+        "A filter of 30 ms on the potentiometer's speeds instead of none multiplies the error by "
+        f"{all_of('potentiometer, 30 ms filter', 'error', POT)}, and the jerk by "
         f"{all_of('potentiometer, 30 ms filter', 'jerk', POT)}.",
-        f"Tachometers beside the potentiometers, against differences: error "
-        f"{all_of(tacho, 'error', POT)}; jerk {all_of(tacho, 'jerk', POT)}.",
+        "Speeds from tachometers instead of differences of the potentiometer's readings multiply "
+        f"the error by {all_of(tacho, 'error', POT)}, and the jerk by "
+        f"{all_of(tacho, 'jerk', POT)}.",
     )
 
 
@@ -135,7 +140,7 @@ def picture(found: dict[tuple[str, str], Measured]):
         made = figure(5.7, "Measurements that controllers see")
         names = list(SENSORS)
         axes = made.subplots(1, 2, sharey=True)
-        for ax, what, unit in zip(axes, ("error", "jerk"), ("in", "in/s$^3$"), strict=True):
+        for ax, what, unit in zip(axes, ("error", "jerk"), ("in", "in/s³"), strict=True):
             for k, controller in enumerate(CONTROLLERS):
                 for j, name in enumerate(names):
                     values = getattr(found[controller, name], what)

@@ -67,28 +67,29 @@ def other_brakes(size: int = 24) -> Study:
     arrived = {v: int(found["baseline", v].reached[1:].sum()) for v in BRAKES}
     return Study(
         "Other brakes: no static gap, a fast fluid, and drag that never goes away",
-        "thesis 6.2.1 (the actuator model exchanged); magnetorheological brakes: M. Jolly, J. "
-        "Bender, J. Carlson, J. Intell. Mater. Syst. Struct. 10 (1999) 5 (milliseconds, no "
-        "stiction, off-state drag)",
-        ABOUT.format(size=size) + " All brakes have the slip torque of (39) at full command, those "
-        "with drag about as much more; the properties of the fluid brake are added one after the "
-        "other, its drag as a share of that torque. Kept as it is, the torque feedback's gain is "
-        "beyond what the faster loop bears; hence a quarter of it in the rows that follow.",
+        "thesis, section 6.2.1 (another model of the actuator); on magnetorheological brakes: M. "
+        "Jolly, J. Bender, J. Carlson, J. Intell. Mater. Syst. Struct. 10 (1999) 5 (response "
+        "within milliseconds, no stiction, drag when switched off)",
+        ABOUT.format(size=size) + " At full command every brake has the slip torque of equation "
+        "(39); a brake with drag exceeds it by about its drag. The properties of the fluid brake "
+        "are added one after the other, its drag as a share of that torque. With the gain left as "
+        "it is, the torque feedback is too strong for the faster loop; the rows that follow "
+        "therefore have a quarter of that gain.",
         (comparison(found, CLUTCH, "On the line"),),
         (
-            f"Fast and without a static gap the error is less for "
-            f"{verdict(found, fast, CLUTCH, 'error')}, the jerk for "
-            f"{verdict(found, fast, CLUTCH, 'jerk')}.",
-            f"With a quarter of the feedback gain: error less for "
-            f"{verdict(found, tuned, CLUTCH, 'error')}, jerk for "
+            "A fast brake without a static gap means less error than the friction clutch for these "
+            f"shares of the plausible inputs: {verdict(found, fast, CLUTCH, 'error')}. It means "
+            f"less jerk for these: {verdict(found, fast, CLUTCH, 'jerk')}.",
+            "With a quarter of the feedback gain as well, there is less error for these shares: "
+            f"{verdict(found, tuned, CLUTCH, 'error')}. There is less jerk for these: "
             f"{verdict(found, tuned, CLUTCH, 'jerk')}.",
-            f"With 1 % drag: error less for {verdict(found, fluid, CLUTCH, 'error')}, jerk for "
+            "With 1 % drag added, there is less error for these shares: "
+            f"{verdict(found, fluid, CLUTCH, 'error')}. There is less jerk for these: "
             f"{verdict(found, fluid, CLUTCH, 'jerk')}.",
-            "The price of drag for the hand (baseline, nominal): "
+            "What drag costs the hand in time and work (baseline, nominal inputs): "
             + "; ".join(f"{words(v)}: {time[v]:.2f} s, {work[v]:.1f} J" for v in QUARTERED)
-            + f". Inputs of {size} with which the tip arrives within 6 s: "
-            + ", ".join(f"{words(v)} {k}" for v, k in arrived.items())
-            + ".",
+            + f". Of {size} sets of plausible inputs, the tip reaches the end within 6 s with this "
+            "many: " + "; ".join(f"{words(v)}: {k}" for v, k in arrived.items()) + ".",
         ),
         {"ratios": ratios(found, CLUTCH), "time": time, "work": work, "arrived": arrived},
         ratio_picture(found, CLUTCH, "Brakes, against friction clutches"),

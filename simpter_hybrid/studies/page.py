@@ -15,12 +15,29 @@ padding:0 1em}table{border-collapse:collapse;margin:.5em 0 2em}td,th{border-top:
 padding:.3em .6em;text-align:left;vertical-align:top}th{font-weight:600}caption{text-align:left;
 font-weight:600;padding:.3em 0}small{color:#555}img{max-width:100%}"""
 COMMAND = "simpter study"
+#: How to read every study, above all of them.
 ABOUT = (
-    "Lengths in inches, torques in lb-in, as in the thesis.",
-    "Runs whose clutches chatter amplify rounding: with another version of the program or on",
-    "another machine their single numbers may differ by some per cent, medians by less.",
-    "Average jerk is differenced over 2 ms (beside the thesis over 5 ms, by simpter run 1 ms):",
-    "where a clutch chatters it grows as the step shrinks.",
+    "The thesis leaves some questions for later work. Each section below takes one of them and",
+    "answers it with simulated runs: first what the runs show, then a picture, what was run, and",
+    "the numbers.",
+    "",
+    "How to read the numbers:",
+    "",
+    "- Lengths are in inches and torques in lb-in, as in the thesis.",
+    "- The error is the distance of the tip from the desired line, averaged along the path.",
+    "- The jerk is the average rate at which the tip's acceleration changes. It is computed from",
+    "  instants that are 2 ms apart (5 ms in the comparisons with the thesis, 1 ms in",
+    "  `simpter run`). Where a clutch chatters, that is, quickly sticks and slips in turn, this",
+    "  average grows as the step gets shorter.",
+    "- Stops and breakaways count how often a clutch comes to rest or starts to slip.",
+    "- Nominal inputs are one value for each quantity of a run: the printed one or, where the",
+    "  thesis prints none, an inferred one. Plausible inputs are drawn from the ranges in which",
+    "  the unprinted values may lie.",
+    "- A ratio compares a variant with its reference, with the same inputs; below one, the variant",
+    "  has less error or jerk. A share says for how many sets of plausible inputs it has less.",
+    "- Runs in which clutches chatter amplify rounding errors. With another version of the program",
+    "  or on another machine, a single number of such a run may differ by some per cent; medians",
+    "  differ by less.",
 )
 
 
@@ -121,7 +138,7 @@ def markdown(
         The command that made the page; that of ``write_pages`` if left out.
     """
     made = made or f"{COMMAND}{'' if size is None else f' --size {size}'} --out DIR"
-    lines = ["# What the thesis leaves for later", "", f"Made by `{made}`.", *ABOUT, ""]
+    lines = ["# What the thesis leaves for later", "", f"Made by `{made}`.", "", *ABOUT, ""]
     for name, study in studies.items():
         lines += [f"## {study.title}", "", f"`{command(name, size)}` ({study.source})", ""]
         lines += section(study, f"{pictures}{name}.png")
@@ -130,10 +147,10 @@ def markdown(
 
 def section(study: Study, picture: str) -> list[str]:
     """Findings, picture, set-up and tables of one study as lines of Markdown."""
-    lines = [f"- {words}" for words in study.findings]
+    lines = ["What the runs show:", "", *(f"- {words}" for words in study.findings)]
     if study.picture:
         lines += ["", f"![{study.caption}]({picture})", "", study.caption]
-    lines += ["", study.setup, ""]
+    lines += ["", f"What was run: {study.setup}", ""]
     for table in study.tables:
         lines += table_lines(table)
     return lines

@@ -80,24 +80,28 @@ def standard_input(size: int = 24) -> Study:
     chosen, second = sorted(weakest, key=lambda n: -weakest[n])[:2]
     return Study(
         "A standard force input: which one can robot and simulation share?",
-        "thesis 6.3.2 (a standard force input is needed to compare them)",
-        f"A constant {PUSH / LBF:g} lbf along the path and at most {ACROSS / LBF:g} lbf across it, "
-        f"given {size} times a controller with what no rig can avoid (standard deviations): "
-        f"{100 * FORCE:g} % of force, {1e3 * START:g} mm of start in x and y, {1e3 * TIMING:g} ms. "
-        "A force is the better, the further apart the controllers' results lie in units of their "
-        "scatter: (difference of means)/(rms standard deviation).",
+        "thesis, section 6.3.2 (a standard force input is needed to compare them)",
+        f"Every force has a constant {PUSH / LBF:g} lbf along the path and at most "
+        f"{ACROSS / LBF:g} lbf across it. Every controller is given it {size} times, each time "
+        "with the small differences that no rig can avoid (standard deviations): "
+        f"{100 * FORCE:g} % of the force, {1e3 * START:g} mm of the start in x and y, and "
+        f"{1e3 * TIMING:g} ms of the timing. A force is the better, the further apart the "
+        "controllers' results lie, in units of their scatter: (difference of means)/(rms standard "
+        "deviation).",
         (
             table_of(found, names, told, size),
         ),
         (
-            f"The force whose weakest distinction is largest: {chosen} ({weakest[chosen]:.1f} "
-            f"standard deviations; the thesis's inferred force {weakest[THESIS]:.1f}). "
-            f"The next is {second} with {weakest[second]:.1f}.",
-            "Repeats needed to tell both pairs of controllers apart by error and jerk (95 %, power "
-            "90 %): " + "; ".join(f"{n} {repeats(weakest[n])}" for n in names) + ".",
+            "For each force, take the two controllers and the measure that it tells apart worst. "
+            f"By this, the best force is: {chosen} ({weakest[chosen]:.1f} standard deviations; the "
+            f"thesis's inferred force has {weakest[THESIS]:.1f}). The next is: {second} "
+            f"({weakest[second]:.1f}).",
+            "Number of repeats with each controller that are needed to tell both pairs of "
+            "controllers apart by error and by jerk (confidence 95 %, power 90 %): "
+            + "; ".join(f"{n}: {repeats(weakest[n])}" for n in names) + ".",
             rankings(found, chosen),
-            "standard-input.csv holds the chosen force as a table of time and force, to be played "
-            "by a rig and by the load recorded-tip-force.",
+            "The file standard-input.csv holds the chosen force as a table of time and force, "
+            "which a rig and the load recorded-tip-force can play.",
         ),
         {"distinctness": told, "chosen": chosen},
         picture(found, names),
@@ -112,8 +116,10 @@ def rankings(found: dict[tuple[str, str], Measured], chosen: str) -> str:
         " < ".join(sorted(CONTROLLERS, key=lambda c: found[force, c].error[1:].mean()))
         for force in (chosen, THESIS)
     )
-    words = f"With the chosen force the controllers' errors rank {its}, with the thesis's "
-    return words + ("alike." if its == theirs else f"{theirs}: a ranking belongs to its force.")
+    words = f"By error the controllers rank {its} with the chosen force"
+    if its == theirs:
+        return f"{words}, and with the thesis's alike."
+    return f"{words}, but {theirs} with the thesis's: a ranking belongs to its force."
 
 
 def table_of(found, names, told, size: int) -> Table:
@@ -130,8 +136,8 @@ def table_of(found, names, told, size: int) -> Table:
         "reached the end",
     )  # fmt: skip
     return Table(
-        "Error by controller, exact input +- scatter of the repeats [in], and how far neighbouring "
-        "controllers lie apart",
+        "Error by controller: with the exact input +- scatter of the repeats [in]; then how far "
+        "neighbouring controllers lie apart [standard deviations]",
         columns,
         rows,
     )
@@ -194,7 +200,7 @@ def picture(found: dict[tuple[str, str], Measured], names: tuple[str, ...]):
         for ax in axes[-1]:
             ax.set_xlabel("error / in")
         for ax in axes[:, 0]:
-            ax.set_ylabel("jerk / in/s$^3$")
+            ax.set_ylabel("jerk / in/s³")
         names_of = zip(CONTROLLERS, CLUTCH_COLOURS, strict=False)
         dots = [Line2D([], [], color=colour, ls="", marker=".", label=c) for c, colour in names_of]
         legend_beside_title(made, dots)

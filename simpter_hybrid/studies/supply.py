@@ -61,8 +61,9 @@ def rise(volts: float, which: tuple[float, float, float]) -> tuple[float, float]
 def step_table(steps: dict[str, dict[float, tuple[float, float]]]) -> Table:
     """Steps of one clutch by supply."""
     return Table(
-        "Step of a testbed clutch from 0 V: time to 63 % of the torque, dead time and gap included",
-        ("supply", "bound / full scale", "loop gain", "to 3 V / ms", "to 8 V / ms",
+        "Step of a testbed clutch from 0 V: time until the torque has made 63 % of its step, with "
+        "dead time and closing of the gap included",
+        ("supply", "voltage limit / full scale", "loop gain", "to 3 V / ms", "to 8 V / ms",
          "steady error at 8 V / lb-in"),
         tuple(
             (name, f"{w[0] / 10.0:g}", f"{w[1]:g}", f"{1e3 * steps[name][3.0][0]:.0f}",
@@ -83,27 +84,29 @@ def supply(size: int = 24) -> Study:
     now, strong = (steps[name][8.0][0] for name in (NOW, STRONG))
     return Study(
         "A stronger supply and the supply's fast mode: a faster clutch, and a better device?",
-        "thesis 4.6.1, 6.3.2; the measured supply is inferred from the steps of Figures 17-23, "
-        "what the fast mode changes is not printed",
-        ABOUT.format(size=size) + " In place of the thesis's lag stands a coil of 0.124 s on a "
-        "current-controlled supply whose voltage is bounded (effects.coil_supply). The fast mode "
-        "is taken as a five times stiffer loop that is 5 % off in the steady state.",
+        "thesis, sections 4.6.1 and 6.3.2; the measured supply is inferred from the steps in "
+        "Figures 17-23, and what the fast mode changes is not printed",
+        ABOUT.format(size=size) + " In place of the thesis's lag, every clutch has a coil with a "
+        "time constant of 0.124 s on a supply that controls the current and has a limited voltage "
+        "(effects.coil_supply). The fast mode is modelled as a current loop that is five times "
+        "stiffer and 5 % off in the steady state.",
         (
             step_table(steps),
             comparison(found, NOW, "On the line"),
         ),
         (
-            f"Four times the voltage brings the 8 V step from {1e3 * now:.0f} to "
-            f"{1e3 * strong:.0f} ms; dead time and gap closing (21 ms) stay.",
-            "On the line four times the voltage lowers the error for "
-            f"{verdict(found, STRONG, NOW, 'error')}; the jerk for "
-            f"{verdict(found, STRONG, NOW, 'jerk')}.",
-            "With the torque feedback's gain halved as well: error less for "
-            f"{verdict(found, STRONG + HALVED, NOW, 'error')}; jerk for "
-            f"{verdict(found, STRONG + HALVED, NOW, 'jerk')} (baseline has no feedback).",
-            "The fast mode without more voltage lowers the error for "
-            f"{verdict(found, 'fast mode', NOW, 'error')}: a stiffer loop cannot outrun a bounded "
-            "voltage, it only ends the approach sooner.",
+            f"Four times the voltage shortens the 8 V step from {1e3 * now:.0f} to "
+            f"{1e3 * strong:.0f} ms; the dead time and the closing of the gap (21 ms) remain.",
+            "On the line, four times the voltage means less error for these shares of the "
+            f"plausible inputs: {verdict(found, STRONG, NOW, 'error')}. It means less jerk for "
+            f"these: {verdict(found, STRONG, NOW, 'jerk')}.",
+            "If the gain of the torque feedback is halved as well, there is less error for these "
+            f"shares: {verdict(found, STRONG + HALVED, NOW, 'error')}. There is less jerk for "
+            f"these: {verdict(found, STRONG + HALVED, NOW, 'jerk')}. (The baseline has no "
+            "feedback.)",
+            "The fast mode without more voltage means less error for these shares: "
+            f"{verdict(found, 'fast mode', NOW, 'error')}. A stiffer loop cannot go faster than "
+            "the limited voltage lets it; it only completes the approach sooner.",
         ),
         {"ratios": ratios(found, NOW), "steps": {k: {str(v): r for v, r in row.items()}
                                                  for k, row in steps.items()}},

@@ -54,25 +54,27 @@ def torque_control(size: int = 24) -> Study:
                     "error")[0] if v != P else 1.0)  # fmt: skip
     return Study(
         "Integral or model-based torque control: does it do better than proportional feedback?",
-        "thesis 5.4.3 (the steady error of proportional feedback), 6.2.2.1, 6.3.2",
-        ABOUT.format(size=size) + " Here all clutch controllers stand behind the impedance and the "
-        "velocity selector. The inverse solves (39) for the command at the clutch's slip speed; "
-        "the integral's gain is 1 V/(lb-in s), anti-windup included.",
+        "thesis, sections 5.4.3 (the steady error of proportional feedback), 6.2.2.1 and 6.3.2",
+        ABOUT.format(size=size) + " Here every variant of the clutch controller is run behind the "
+        "impedance selector and behind the velocity selector. The table is the thesis's lookup "
+        "table from desired torque to command. The inverse solves equation (39) for the command at "
+        "the clutch's slip speed. The integral has a gain of 1 V/(lb-in s) and an anti-windup.",
         (
             comparison(found, P, "On the line, against proportional feedback"),
             torque_following(found),
         ),
         (
-            f"Smallest error behind impedance control: {ranked[0]}, then {ranked[1]}.",
-            "The inverse without any torque sensor against table and P: error less for "
-            f"{verdict(found, 'inverse of (39)', P, 'error')}; jerk less for "
-            f"{verdict(found, 'inverse of (39)', P, 'jerk')}.",
-            "An inverse that is 20 % off, with P around it: error less for "
-            f"{verdict(found, 'inverse 20 % off and P', P, 'error')}.",
-            "An integral beside P: error less for "
-            f"{verdict(found, 'table, P and integral', P, 'error')}; jerk less for "
+            f"Behind impedance control this variant has the smallest error: {ranked[0]}. The next "
+            f"is: {ranked[1]}.",
+            "The inverse needs no torque sensor. Compared with table and P it has less error for "
+            f"these shares of the plausible inputs: {verdict(found, 'inverse of (39)', P, 'error')}"
+            f". It has less jerk for these: {verdict(found, 'inverse of (39)', P, 'jerk')}.",
+            "An inverse that is 20 % off, with P around it, has less error than table and P for "
+            f"these shares: {verdict(found, 'inverse 20 % off and P', P, 'error')}.",
+            "An integral beside P has less error for these shares: "
+            f"{verdict(found, 'table, P and integral', P, 'error')}. It has less jerk for these: "
             f"{verdict(found, 'table, P and integral', P, 'jerk')}.",
-            "An integral alone, without P: error less for "
+            "An integral alone, without P, has less error for these shares: "
             f"{verdict(found, 'table and integral', P, 'error')}.",
         ),
         {"ratios": ratios(found, P)},
@@ -88,7 +90,7 @@ def torque_following(found: dict[tuple[str, str], Measured]) -> Table:
         for (c, v), m in found.items()
     )
     return Table(
-        "Rms difference between torque and desired torque while one is desired",
+        "Rms difference between torque and desired torque, while a torque is desired",
         ("controller", "variant", "nominal / lb-in", "median ratio to table and P"),
         rows,
     )

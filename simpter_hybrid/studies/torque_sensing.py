@@ -34,19 +34,21 @@ def torque_sensing(size: int = 24) -> Study:
     }
     return Study(
         "Clutches that sense their torque: what does the sampling rate buy?",
-        "thesis 5.4.3, 6.2.2.1, 6.3.2 (clutches with torque feedback; a faster sampling rate)",
-        f"The line y = 24 in, impedance control and proportional torque feedback, the whole "
-        f"controller at one rate; nominal inputs and {size} plausible sets, {len(GAINS)} gains up "
-        f"to {GAINS[-1]:g} V/(lb-in). The torque of clutches that are stuck in excess is what the "
-        "engine's rule of sharing says. Best: least average error among the gains with no more "
-        "jerk than without feedback.",
+        "thesis, sections 5.4.3, 6.2.2.1 and 6.3.2 (clutches with torque feedback; a faster "
+        "sampling rate)",
+        "Every run follows the line y = 24 in with impedance control and proportional torque "
+        "feedback; the whole controller runs at one rate. Runs are made with the nominal inputs "
+        f"and with {size} sets of plausible inputs, at {len(GAINS)} gains up to {GAINS[-1]:g} "
+        "V/(lb-in). Where more clutches stick than are needed to hold the device, the motion does "
+        "not tell their torques; then the engine's rule of sharing does. The best gain is the one "
+        "with the least average error among those that have no more jerk than without feedback.",
         (gains_by_rate(found, best, gained),),
         sentences(found, best, gained),
         {"gains": list(GAINS), "best": {str(r): b for r, b in best.items()},
          "error": {f"{r:g} {g:g}": float(m.error[0]) for (r, g), m in found.items()},
          "jerk": {f"{r:g} {g:g}": float(m.jerk[0]) for (r, g), m in found.items()}},
         picture(found),
-        "Lines: nominal inputs; bands: quartiles over plausible inputs.",
+        "Lines: nominal inputs. Bands: from the lower to the upper quartile over plausible inputs.",
     )  # fmt: skip
 
 
@@ -77,9 +79,9 @@ def gains_by_rate(found, best, gained) -> Table:
     )  # fmt: skip
     return Table(
         "Best gain by rate",
-        ("rate", "best gain, nominal / V/(lb-in)", "plausible: median (10-90 %)",
+        ("rate", "best gain, nominal / V/(lb-in)", "best gain, plausible: median (10-90 %)",
          "error at gain 0 / in", "error at the best gain / in",
-         "error ratio best to 0, median", "jerk at gain 0 / in/s^3",
+         "error at best gain / at gain 0, median", "jerk at gain 0 / in/s^3",
          "jerk at the best gain / in/s^3"),
         rows,
     )  # fmt: skip
@@ -94,19 +96,21 @@ def sentences(found, best, gained) -> tuple[str, ...]:
         for k in range(1, len(best[fast]))
     ])  # fmt: skip
     return (
-        "Feedback at its best gain leaves, of the error without it (median over plausible inputs), "
+        "With feedback at its best gain, this much is left of the error without feedback (median "
+        "over the plausible inputs): "
         + ", ".join(f"{100 * np.median(gained[r]):.0f} % at {r:g} Hz" for r in RATES)
         + ".",
-        f"The best nominal gain is {best[slow][0]:g} at {slow:g} Hz, {best[thesis][0]:g} at "
-        f"{thesis:g} Hz and {best[fast][0]:g} V/(lb-in) at {fast:g} Hz"
+        f"With nominal inputs the best gain is {best[slow][0]:g} at {slow:g} Hz, "
+        f"{best[thesis][0]:g} at {thesis:g} Hz and {best[fast][0]:g} V/(lb-in) at {fast:g} Hz"
         + (
             ": a faster rate bears more gain, as the thesis expects."
             if best[slow][0] < best[thesis][0] < best[fast][0]
             else "; a faster rate does not always bear more."
         ),
-        f"From {thesis:g} to {fast:g} Hz, each at its best gain, the error goes from "
-        f"{lowest[thesis]:.3f} to {lowest[fast]:.3f} in nominally, and falls for "
-        f"{100 * paired.mean():.0f} % of the plausible inputs; the jerk at gain {GAINS[-1]:g} is "
+        f"From {thesis:g} to {fast:g} Hz, each at its best gain, the error with nominal inputs "
+        f"goes from {lowest[thesis]:.3f} to {lowest[fast]:.3f} in; it falls for "
+        f"{100 * paired.mean():.0f} % of the plausible inputs. With nominal inputs and a gain of "
+        f"{GAINS[-1]:g}, the jerk is "
         + ", ".join(f"{found[r, GAINS[-1]].jerk[0]:.0f} in/s^3 at {r:g} Hz" for r in RATES)
         + ".",
     )
@@ -123,7 +127,7 @@ def picture(found):
     def draw():
         made = figure(6.5, "Torque feedback at three rates")
         for ax, what, unit in zip(
-            made.subplots(2, 1, sharex=True), ("error", "jerk"), ("in", "in/s$^3$"), strict=True
+            made.subplots(2, 1, sharex=True), ("error", "jerk"), ("in", "in/s³"), strict=True
         ):
             for rate, colour in zip(RATES, CLUTCH_COLOURS, strict=False):
                 rows = np.array([getattr(found[rate, g], what) for g in GAINS])

@@ -20,10 +20,11 @@ Variant = Callable[[str, float, Inputs], Scenario]
 LONGEST, MOST_LINES = 6.0, 4
 #: Named on every page.
 ABOUT = (
-    "The line y = 24 in with the controllers of the thesis's Table 6: baseline (impedance), P "
-    "(with torque feedback 0.16 V/(lb-in)), velocity (with the same feedback). Nominal inputs, and "
-    "{size} sets drawn from the plausible ranges of what the thesis does not print; a variant and "
-    "its reference have the same inputs, so that ratios and shares are of pairs."
+    "Every run follows the line y = 24 in with a controller of the thesis's Table 6: baseline "
+    "(impedance control), P (impedance control with torque feedback of 0.16 V/(lb-in)) or velocity "
+    "(velocity control with the same feedback). Every variant is run with the nominal inputs and "
+    "with {size} sets of plausible inputs. A variant and its reference are compared pair by pair, "
+    "with the same inputs; only pairs in which both runs reach the end of the line count."
 )
 
 
@@ -87,8 +88,10 @@ def verdict(
     parts = []
     for controller in dict.fromkeys(c for c, _ in found):
         ratio, share = pairs(found[controller, variant], found[controller, reference], name)
-        told = f"{100 * share:.0f} % (median ratio {ratio:.2f})"
-        parts.append(f"{controller} {told if ratio == ratio else 'no run that ended'}")
+        told = "no pair of runs that reached the end"
+        if ratio == ratio:
+            told = f"{100 * share:.0f} % (median ratio {ratio:.2f})"
+        parts.append(f"{controller} {told}")
     return ", ".join(parts)
 
 
