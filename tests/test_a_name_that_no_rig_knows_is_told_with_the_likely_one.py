@@ -3,8 +3,8 @@
 import pytest
 from toy_rig import ALONG_X, ALONG_Y
 
-from simpter_hybrid.identification.diagnosis import left_in
 from simpter_hybrid.identification.maps import find_map, find_model
+from simpter_hybrid.identification.prepared import left_in
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.reading.reader import one_of
 

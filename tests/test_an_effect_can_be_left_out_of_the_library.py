@@ -2,7 +2,7 @@
 
 import pytest
 
-from simpter_hybrid.identification.diagnosis import left_in
+from simpter_hybrid.identification.prepared import left_in
 from simpter_hybrid.identification.rotor.candidates import rotor_candidates
 from simpter_hybrid.problems import InvalidInput
 
