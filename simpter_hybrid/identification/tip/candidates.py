@@ -13,27 +13,17 @@ from ...effect import Effect
 from ...effects.added_inertia import AddedInertia
 from ...effects.asymmetry import Asymmetry
 from ...effects.bias_force import BiasForce
-from ...effects.command_scale import CommandScale
 from ...effects.degressive_speed import DegressiveSpeed
 from ...effects.drift import Drift
 from ...effects.dry_drag import DryDrag
 from ...effects.dwell_breakaway import DwellBreakaway
 from ...effects.imbalance import Imbalance
 from ...effects.logarithmic_speed import LogarithmicSpeed
-from ...effects.other_commands import OtherCommands
-from ...effects.other_excitations import OtherExcitations
-from ...effects.play_hysteresis import PlayHysteresis
 from ...effects.position_friction import PositionFriction
-from ...effects.pull_in import PullIn
 from ...effects.quadratic_drag import QuadraticDrag
-from ...effects.release_asymmetry import ReleaseAsymmetry
-from ...effects.remanence import Remanence
-from ...effects.second_lag import SecondLag
-from ...effects.slew_limit import SlewLimit
 from ...effects.spring_force import SpringForce
 from ...effects.stribeck import Stribeck
 from ...effects.thermal_fade import ThermalFade
-from ...effects.torque_lag import TorqueLag
 from ...effects.viscous_drag import ViscousDrag
 from ...effects.warm_up import WarmUp
 from ...effects.wear_in import WearIn
@@ -41,8 +31,9 @@ from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES
 from ..rigs.declared_off import AT_A_LIMIT, TORQUE_SCALE
 from ..rigs.effect_candidate import EffectCandidate
+from .actuator_effects import ACTUATOR_EFFECTS
 from .between import between_clutches
-from .made import SWITCHING, made, of_clutches
+from .made import made, of_clutches
 from .ways import Ways, along_lengths, unit_ways
 
 #: (field, lower, upper, typical, start) of a parameter to fit ...
@@ -128,30 +119,7 @@ def clutch_effects(ways: Ways):
         ("warm-up", WarmUp, (("change", -0.8, 1.0, 0.02, 0.02),),
          (energy,), ("distance", "heat", "time")),
         ("drift", Drift, (("rate_per_time", -0.1, 0.2, 0.005, 0.0),), (), ("time", "torque")),
-        # Begun inside the loop: one beside the declared map shifts all torque scales at once.
-        ("play-hysteresis", PlayHysteresis, (("share", 0.0, 1.0, 0.02, 0.15),),
-         (("width", 0.1, 8.0, 0.2, (0.7, 2.5)), ("lift", 0.0, 2.0, 0.1, (0.7,))),
-         SWITCHING),
-        ("remanence", Remanence, (("width", 0.0, 2.0, 0.02, 0.03),), (), SWITCHING),
-        ("slew-limit", SlewLimit, (("slowness", 0.0, 0.2, 0.002, 0.012),
-                                   ("slowness_down", 0.0, 0.2, 0.002, 0.012)), (),
-         SWITCHING),
-        ("release-asymmetry", ReleaseAsymmetry, (("share", -0.8, 3.0, 0.03, 0.0),), (),
-         SWITCHING),
-        ("torque-lag", TorqueLag, (("share", 0.0, 1.0, 0.03, 0.05),), (), SWITCHING),
-        ("second-lag", SecondLag, (("lag", 1e-4, 0.1, 0.002, 0.003),), (), SWITCHING),
-        ("pull-in", PullIn, (("extra", -0.02, 0.1, 0.003, 0.003),
-                             ("drop_out", 0.0, 1.0, 0.02, 0.0)), (),
-         SWITCHING),
-        ("other-commands", OtherCommands, (("gain", -0.5, 0.5, 0.01, 0.0),
-                                           ("relative", -0.1, 0.1, 0.002, 0.0)), (),
-         SWITCHING),
-        ("other-excitations", OtherExcitations, (("gain", -0.5, 0.5, 0.01, 0.0),
-                                                 ("relative", -0.1, 0.1, 0.002, 0.0)), (),
-         SWITCHING),
-        ("command-scale", CommandScale, (("gain", -0.5, 0.5, 0.01, 0.0),
-                                         ("offset", -2.0, 2.0, 0.01, 0.0)), (),
-         SWITCHING),
+        *ACTUATOR_EFFECTS,
         ("dwell-breakaway", dwelling, (("rise", 0.0, 0.5, 0.02, 0.02),), (), FRICTION),
     )  # fmt: skip
 
