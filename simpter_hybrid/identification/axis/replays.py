@@ -11,7 +11,7 @@ moment early has all later ones early, and neither remembers anything.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -68,57 +68,120 @@ def _let_alone(run: RecordedRun, s: AxisSignals) -> bool:
     return not {*s.drive, s.reference} & run.channels.keys()
 
 
+@dataclass(frozen=True)
+class _Seen:
+    """A run as the signals of an axis show it.
+
+    `told` are the rows that tell anything, `whole` is whether it is followed as a whole.
+    """
+
+    run: RecordedRun
+    recording: Recording
+    s: AxisSignals
+    starts: Sequence[int]
+    time: np.ndarray
+    told: np.ndarray
+    measured: bool
+    alone: bool
+    whole: bool
+
+    @property
+    def position(self) -> np.ndarray:
+        return self.run.channels[self.s.position]
+
+    def speed(self) -> np.ndarray:
+        """As measured, or that of the positions."""
+        if self.measured:
+            return self.run.channels[self.s.speed]
+        return rate_of_change(self.time, self.position, speed_width(row_step(self.time)))
+
+    @property
+    def cut(self) -> tuple[int, ...]:
+        """Where windows of residuals begin."""
+        return (0,) if self.whole else tuple(self.starts)
+
+
+def _seen(
+    run: RecordedRun, recording: Recording, s: AxisSignals, starts: Sequence[int]
+) -> _Seen:  # fmt: skip
+    time, alone = run.time - run.time[0], _let_alone(run, s)
+    told = np.arange(time.size) >= rows_untold(run, s)
+    return _Seen(
+        run, recording, s, starts, time, told, s.speed in run.channels, alone,
+        alone or _own_loop(run, s),
+    )  # fmt: skip
+
+
 def _replay(
     run: RecordedRun, recording: Recording, s: AxisSignals, starts: Sequence[int]
 ) -> Replay:
-    time = run.time - run.time[0]
-    step = row_step(time)
-    measured, alone = s.speed in run.channels, _let_alone(run, s)
-    told = np.arange(time.size) >= rows_untold(run, s)
-    whole = alone or _own_loop(run, s)
-    cut = (0,) if whole else tuple(starts)
-    position = run.channels[s.position]
-    speed = run.channels[s.speed] if measured else rate_of_change(time, position, speed_width(step))
-    if measured:
-        # What noise of a sensed force does is weighed by itself; else neighbours go together.
-        weight = 1.0 if alone or s.sensed & run.channels.keys() else WEIGHT
-        seen = observed_speed(run, recording, s.speed, weight, run.compared(s.speed) & told)
-        observed = {s.speed: replace(seen, windows=cut, lines=False)}
-    else:
-        # A start's error moves a window by a straight line, which says nothing, but in a loop or
-        # where what pulls depends on the place.
-        # Of an encoder a run that mostly rests shows less than there is.
-        sd = run_noise(position, recording.channels[s.position], time)
-        sd = max(sd, channel_noise(recording, s.position))
-        lines = not (whole or s.anew)
-        most = steepest(position, cut, half_width(step), sd) if lines else ()
-        seen = Observation(position, sd, told, 1.0, cut, lines=lines, slopes=most)
-        observed = {s.position: seen}
-    sensed = None if measured else sd
+    seen = _seen(run, recording, s, starts)
+    time, position = seen.time, seen.position
+    rows = np.arange(time.size)
+    speed = seen.speed()
+    compared = _compared_speed(seen) if seen.measured else _compared_position(seen)
+    name = s.speed if seen.measured else s.position
     bent = bends_of(run, s, recording.channels)
     notes = {s.position: position, s.speed: speed, **_shifted(run, recording, s)}
     told_start = recording.map.start if run.begins else Start()
-    place = course_of(run, recording, s.position)
-    if measured or whole:
-        moves = course_of(run, recording, s.speed) if measured else speed
-        states = start_states(time, place, moves, starts, sensed, bent)
+    states, untold = _states(seen, speed, None if seen.measured else compared.sd, bent)
+    if untold and seen.told[0] and not told_start.told[1]:
+        notes[BEGUN_UNTOLD] = rows < untold
+        compared = replace(compared, keep=seen.told & ~notes[BEGUN_UNTOLD])
+    states[0] = told_start.put_right(states[0])
+    restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
+    notes |= {"start": np.array(states[0]), BENT_ROWS: np.isin(rows, bent)}
+    made = Replay(
+        run.name, run.experiment, time, _inputs(run, recording, s), {name: compared}, restarts[1:],
+        drive_is_exact=False, notes=notes, start_free=seen.alone and not seen.measured,
+        start_told=told_start.told, **told_of_run(run, recording, s.all),
+    )  # fmt: skip
+    return replace(made, restarts=(), followed=restarts[1:]) if seen.whole else made
+
+
+def _compared_speed(seen: _Seen) -> Observation:
+    """A measured speed, as it is compared."""
+    run, s = seen.run, seen.s
+    # What noise of a sensed force does is weighed by itself; else neighbours go together.
+    weight = 1.0 if seen.alone or s.sensed & run.channels.keys() else WEIGHT
+    keep = run.compared(s.speed) & seen.told
+    made = observed_speed(run, seen.recording, s.speed, weight, keep)
+    return replace(made, windows=seen.cut, lines=False)
+
+
+def _compared_position(seen: _Seen) -> Observation:
+    """Positions, as they are compared where no speed was measured."""
+    position, recording, s = seen.position, seen.recording, seen.s
+    # A start's error moves a window by a straight line, which says nothing, but in a loop or
+    # where what pulls depends on the place.
+    # Of an encoder a run that mostly rests shows less than there is.
+    sd = run_noise(position, recording.channels[s.position], seen.time)
+    sd = max(sd, channel_noise(recording, s.position))
+    lines = not (seen.whole or s.anew)
+    most = steepest(position, seen.cut, half_width(row_step(seen.time)), sd) if lines else ()
+    return Observation(position, sd, seen.told, 1.0, seen.cut, lines=lines, slopes=most)
+
+
+def _states(
+    seen: _Seen, speed: np.ndarray, sd: float | None, bent: np.ndarray
+) -> tuple[list[tuple[float, float]], int]:
+    """States in which windows start, and how many first rows tell nothing of the first of them.
+
+    `sd` of the positions, if no speed was measured.
+    """
+    time, starts = seen.time, seen.starts
+    place = course_of(seen.run, seen.recording, seen.s.position)
+    untold = 0
+    if sd is None or seen.whole:
+        moves = course_of(seen.run, seen.recording, seen.s.speed) if sd is None else speed
+        states = start_states(time, place, moves, starts, sd, bent)
     else:
         tells = told_starts(time, place, starts, sd, bent)
         states = [one.state for one in tells]
-        if first_untold(tells, sd) and told[0] and not told_start.told[1]:
-            notes[BEGUN_UNTOLD] = np.arange(time.size) < starts[1]
-            observed = {s.position: replace(seen, keep=told & ~notes[BEGUN_UNTOLD])}
-    if alone and not measured:
-        states[0] = first_state(time, place, 2 * half_width(step) + 1, sd, CUBIC)
-    states[0] = told_start.put_right(states[0])
-    restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
-    notes |= {"start": np.array(states[0]), BENT_ROWS: np.isin(np.arange(time.size), bent)}
-    made = Replay(
-        run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
-        drive_is_exact=False, notes=notes, start_free=alone and not measured,
-        start_told=told_start.told, **told_of_run(run, recording, s.all),
-    )  # fmt: skip
-    return replace(made, restarts=(), followed=restarts[1:]) if whole else made
+        untold = starts[1] if first_untold(tells, sd) else 0
+    if seen.alone and sd is not None:
+        states[0] = first_state(time, place, 2 * half_width(row_step(time)) + 1, sd, CUBIC)
+    return states, untold
 
 
 def as_if_recorded(replay: Replay, position: np.ndarray, speed: np.ndarray) -> Replay:
