@@ -5,35 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from ..scenario import Scenario
 from .axis.bench import axis_bench
-from .axis.drive_force import motors_of, turned_by
-from .axis.joints_rig import (
-    JOINTS,
-    JointSignals,
-    JointsRig,
-    JointsTracer,
-    joint_replays,
-    of_joints,
-    refuse_others,
-)
+from .axis.joints_rig import of_joints
 from .axis.prescribed_bench import prescribed_bench
 from .axis.recorded import as_axis, unused
 from .axis.signals import AxisSignals
-from .axis.windows import WINDOW
 from .fits import check_any_compared, check_fits, nothing_compared
 from .fitting.replay import Replay, measured_like
+from .joints_bench import joints_bench
 from .played_rate import late_ticks
-from .recordings.gaps import left_out
 from .recordings.groups import refuse_halves
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .recordings.start import refuse_start
 from .rigs.bench import Bench
-from .rigs.moving import check_moving
-from .rigs.pose import inertia_of, slip_travels
+from .rigs.pose import inertia_of
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
 from .rotor.beginnings import beginning_remarks, settling
@@ -48,13 +35,9 @@ from .rotor.signals import RotorSignals
 from .rotor.traces import RotorTracer
 from .rotor.winding import winding
 from .steady_rows import where_rows_are_steady
-from .tip.bench import diagonal, middle, tip_bench
-from .tip.joint_candidates import joint_candidates, late_clutches
+from .tip.bench import tip_bench
 from .tip.rig import TipSignals
-from .tip.structure import torque_scales
-from .tip.ways import ways_of
 from .tracing.coordinates import turn_of
-from .tracing.limits import SINGLE_AXIS
 from .tracing.traced import Tracer
 
 
@@ -104,7 +87,7 @@ def _bench_of(
         return _rotor(recording, declared, groups)
     if of_joints(recording):
         _refuse_told(recording, groups, "joints")
-        return _joints(recording, declared, groups)
+        return joints_bench(recording, declared, groups)
     if recording.channels[AxisSignals().position].role == "input":
         _refuse_told(recording, groups, "an axis that is moved by a tester")
         return prescribed_bench(recording, declared, groups)
@@ -154,64 +137,3 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
             *untold_holds(recording), *drive_remarks(recording, signals),
         ),
     )  # fmt: skip
-
-
-def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
-    def made(recording: Recording, part: str) -> list[Replay]:
-        return joint_replays(recording, groups[part])
-
-    parts = {part: made(recording, part) for part in groups}
-    commands, fitted = JointSignals().commands(recording), parts["fit"]
-    rest = declared.command or (0.0,) * declared.device.m
-    rig = JointsRig(held=rest if commands else ())
-    rig.template(declared)  # refuses a model that has no two driven joints
-    refuse_others(recording, declared.device.m)
-    every = {part: [_stacked(run) for run in runs] for part, runs in parts.items()}
-    check_moving(every, recording, [f"position_{j + 1}" for j in range(JOINTS)])
-    stacked = every["fit"]
-    inertia = diagonal(declared, stacked)
-    kinds = declared.device.coordinate_dimensions or ("angle",) * JOINTS
-    turn = tuple(
-        turn_of(r.notes["position"][j] for r in stacked) if kinds[j] == "angle" else np.inf
-        for j in range(JOINTS)
-    )
-    motors = tuple(motors_of(declared, j) for j in range(JOINTS))
-    tracer = JointsTracer(declared, turn, motors)
-    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in stacked)
-    forces = [
-        max(float(np.quantile(np.abs(tracer.drive(r, j)), 0.99)) for r in fitted)
-        for j in range(JOINTS)
-    ]
-    force = max(forces)
-    turned = [turned_by(motors[j]) for j in range(JOINTS)]
-    slips = [
-        slip_travels(declared, r.time, r.notes["position"].T, r.notes["speed"].T) for r in stacked
-    ]
-    travels = np.max(slips, axis=0).tolist()
-    ways = ways_of(declared, stacked, inertia, force, speed, forces)
-    # Of angles that go far a constant force beside a spring does what a rest of its own would.
-    pose = middle(stacked).tolist() if ways.small else ()
-    kept = joint_candidates(
-        declared, inertia, force, speed, turned, tuple(commands), travels, pose, ways
-    )
-    kept += temperature_candidates(declared, fitted, force, speed)
-    kept += tuple(torque_scales(declared, [f"joint_{j + 1}:direction" for j in range(JOINTS)]))
-    kept += tuple(late_clutches(declared, tuple(commands)))
-    limits = SINGLE_AXIS._replace(drive=True)
-    return Bench(
-        parts, ScenarioPredictor(declared, rig), lambda replays: tracer, kept, made, limits=limits,
-        remarks=(
-            *left_out(recording, WINDOW),
-            *unused(recording, (*JointSignals().used(recording), "command_1 in volts")),
-        ),
-        by_run=True,
-    )  # fmt: skip
-
-
-def _stacked(run: Replay) -> Replay:
-    """A run with positions and speeds of all joints as one array each in its notes."""
-    notes = {
-        what: np.array([run.notes[f"{what}_{j + 1}"] for j in range(JOINTS)])
-        for what in ("position", "speed")
-    }
-    return replace(run, notes=notes)
