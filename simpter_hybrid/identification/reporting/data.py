@@ -12,13 +12,11 @@ from ...versions import source_digest, versions
 from ..false_alarms import FalseAlarms
 from ..far_off import by_its_inverse
 from ..fitting.floor import replicate_noise
-from ..going_with import goes_with, split_by
 from ..held_out_gains import HeldOutGain
 from ..held_out_predictions import HeldOutPredictions
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..result import Diagnosis
-from ..run_levels import as_declared, differs
 from .apart import apart_sentence
 from .beyond_fitted import beyond_fitted_sentence
 from .cautions import (
@@ -48,7 +46,7 @@ from .held_out_data import (
 )
 from .held_out_sentences import curve_sentence, harmful_sentence, worse_sentence
 from .late_speed import of_late_speed
-from .level_sentences import levels_text
+from .level_data import level_data
 from .next_runs import NextRun
 from .not_shown import (
     outdone_sentence,
@@ -83,9 +81,6 @@ from .swinging import swinging_sentence
 from .taken_away import declared_sentence
 from .told_apart import repeated_sentence, told_apart_by_the_model
 
-#: Values of each run that take away a smaller part of what is left are no finding.
-NEXT_TO_NOTHING = 0.05
-
 
 def diagnosis_data(
     found: Diagnosis,
@@ -105,22 +100,13 @@ def diagnosis_data(
     done, taken = found.search, found.recording or recording
     parameters, errors = parameter_rows(found), _errors(found, taken, told)
     of_runs = errors_of_runs(found)
-    floors = {n: e["floor"] for n, e in errors["error_of_experiments"].items() if "floor" in e}
     return {
         "verdict": done.verdict.kind,
         "straight": is_straight(found),
         **made(_sentences(found, recording, told), failed),
-        **made({
-            "refit": lambda: refits_told(found, parameters),
-            "spoilt": lambda: spoilt_told(found, errors["error_of_experiments"], of_runs),
-            "uneven": lambda: uneven_sentence(found, errors["error_of_experiments"], of_runs),
-            "unsized": lambda: sizes_told(found, parameters, gains),
-            "unborne": lambda: unborne_sentence(found, gains),
-            "outdone": lambda: outdone_sentence(found, gains),
-            "unsteady": lambda: unsteady_sentence(floors),
-        }, failed),
+        **made(_sentences_on_rows(found, parameters, errors, of_runs, gains), failed),
         "failed": failed_sentence(failed or {}),
-        "run_to_run": _levels(found),
+        "run_to_run": level_data(found),
         "effects": [e.name for e in done.corrected.effects],
         "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},
         "other_forms": {e.name: forms_of(found, e.name) for e in done.corrected.effects},
@@ -209,6 +195,24 @@ def _sentences(
     }  # fmt: skip
 
 
+def _sentences_on_rows(
+    found: Diagnosis, parameters: Any, errors: Mapping[str, Any], of_runs: Any,
+    gains: Sequence[Sequence[HeldOutGain]],
+) -> dict[str, Callable[[], str]]:  # fmt: skip
+    """What has to be known of the rows of the report: of parameters, errors and gains."""
+    of_experiments = errors["error_of_experiments"]
+    floors = {n: e["floor"] for n, e in of_experiments.items() if "floor" in e}
+    return {
+        "refit": lambda: refits_told(found, parameters),
+        "spoilt": lambda: spoilt_told(found, of_experiments, of_runs),
+        "uneven": lambda: uneven_sentence(found, of_experiments, of_runs),
+        "unsized": lambda: sizes_told(found, parameters, gains),
+        "unborne": lambda: unborne_sentence(found, gains),
+        "outdone": lambda: outdone_sentence(found, gains),
+        "unsteady": lambda: unsteady_sentence(floors),
+    }
+
+
 def _inverse(found: Diagnosis, taken: Recording) -> str:
     """What does the same as a declared number that is far off, where nothing drives the axis."""
     if found.far_off is None or taken.map.driven:
@@ -244,27 +248,6 @@ def _used(found: Diagnosis, recording: Recording) -> dict[str, Any]:
         "findings": [finding_text(f, recording) for f in findings],
         "absent": list(recording.absent),
     }
-
-
-def _levels(found: Diagnosis) -> dict[str, Any] | None:
-    told = found.levels
-    if not told or found.search.verdict.kind == "nothing missing":
-        return None
-    explained = all(map(differs, told))
-    if not explained and (told[-1].share < NEXT_TO_NOTHING or as_declared(told[-1])):
-        return None
-    return {
-        "sentence": "" if explained else f"{levels_text(told, found.search.floor)}.",
-        "parameters": [
-            {
-                "parameter": levels.parameter,
-                "runs": [{"run": run, "over_median": level} for run, level in levels.levels],
-                "before": levels.before, "after": levels.after, "share": levels.share,
-                "goes_with": goes_with(levels), "split_by": split_by(levels),
-            }
-            for levels in told
-        ],
-    }  # fmt: skip
 
 
 def _empirical(found: Diagnosis) -> dict[str, Any] | None:
