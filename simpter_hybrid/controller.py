@@ -16,8 +16,9 @@ class Controller(Part):
     ``q`` (n,) [rad or m], ``qd`` (n,) [rad/s or m/s], ``tau`` (m,) (clutch torques [N m], if
     ``feedback``), ``p`` (all parameters) with ``table_at`` (where its table begins there), ``rec``,
     ``held`` (written: its first m entries are the clutch commands [V], the others those that
-    ``holds`` names, from ``at_<name>`` on), ``mem`` with ``mem_at`` (memory, read and written),
-    ``s`` (scratch), any of its parameters, and any function of the device.
+    ``holds`` names, from ``at_<name>`` on), ``desired_count`` (clutches, from the first on, whose
+    desired torques are held from ``at_desired_1`` on), ``mem`` with ``mem_at`` (memory, read and
+    written), ``s`` (scratch), any of its parameters, and any function of the device.
     """
 
     #: Whether ``step`` reads the clutch torques.

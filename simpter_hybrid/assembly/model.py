@@ -133,7 +133,16 @@ class Assembly:
         for k, name in enumerate(self.held):
             found[f"held_{name}"] = f"held[{self.device.m + k}]"
             found[f"at_{name}"] = str(self.device.m + k)
+        if "desired_1" in self.held:
+            found["desired_count"] = str(self.desired_count())
         return found
+
+    def desired_count(self) -> int:
+        """Number of clutches, from the first on, for each of which a desired torque is held."""
+        at, count = self.held.index("desired_1"), 0
+        while self.held[at + count : at + count + 1] == [f"desired_{count + 1}"]:
+            count += 1
+        return min(count, self.device.m)
 
     def text(self) -> str:
         """The assembled module."""

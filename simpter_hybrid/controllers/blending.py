@@ -37,10 +37,10 @@ class Blending(Controller):
     )
 
     @staticmethod
-    def step(time, held, m, mem, mem_at, at_desired_1, apply, release):
+    def step(time, held, mem, mem_at, at_desired_1, desired_count, apply, release):
         passed = time - mem[mem_at]
         mem[mem_at] = time
-        for i in range(min(m, 8)):
+        for i in range(min(desired_count, 8)):
             wanted = held[at_desired_1 + i]
             weight = mem[mem_at + 1 + i]
             if wanted > 0.0:

@@ -14,6 +14,8 @@ from ..part import parameter
 class DesiredTorque(Controller):
     """``mean + amplitude sin(2 pi frequency t + phase)`` for clutch 1, never below 0.
 
+    The stages after it leave other clutches the commands that they had.
+
     Source: thesis 5.4.3, Figures 48-50.
 
     Parameters

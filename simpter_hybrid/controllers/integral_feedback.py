@@ -33,10 +33,10 @@ class IntegralFeedback(Controller):
     memory: ClassVar[tuple[str, ...]] = ("last", *(f"integral_{i + 1}" for i in range(8)))
 
     @staticmethod
-    def step(time, held, tau, m, mem, mem_at, at_desired_1, gain, full_scale):
+    def step(time, held, tau, mem, mem_at, at_desired_1, desired_count, gain, full_scale):
         passed = time - mem[mem_at]
         mem[mem_at] = time
-        for i in range(min(m, 8)):
+        for i in range(min(desired_count, 8)):
             wanted = held[at_desired_1 + i]
             at = mem_at + 1 + i
             if wanted > 0.0:

@@ -28,11 +28,12 @@ class InverseModel(Controller):
 
     @staticmethod
     def step(
-        q, qd, p, s, n, m, clutch_map, held, at_desired_1, scale, slope, offset, a, b, c, full_scale
-    ):
+        q, qd, p, s, n, m, clutch_map, held, at_desired_1, desired_count, scale, slope, offset,
+        a, b, c, full_scale,
+    ):  # fmt: skip
         rows = s[0 : m * n]
         clutch_map(q, p, rows)
-        for i in range(m):
+        for i in range(desired_count):
             slip = 0.0
             for j in range(n):
                 slip += rows[i * n + j] * qd[j]

@@ -24,7 +24,7 @@ class LookupTable(Controller):
     full_scale: float = parameter("voltage", 10.0, above=0.0)
 
     @staticmethod
-    def step(held, m, at_desired_1, torque, full_scale):
-        for i in range(m):
+    def step(held, at_desired_1, desired_count, torque, full_scale):
+        for i in range(desired_count):
             command = held[at_desired_1 + i] / torque * full_scale
             held[i] = min(max(command, 0.0), full_scale)

@@ -39,9 +39,9 @@ class PiecewiseTable(Controller):
         return counted(self.points)
 
     @staticmethod
-    def step(held, m, p, table_at, at_desired_1):
+    def step(held, p, table_at, at_desired_1, desired_count):
         count = int(p[table_at])
-        for i in range(m):
+        for i in range(desired_count):
             wanted = max(held[at_desired_1 + i], p[table_at + 1])
             command = p[table_at + 2 * count]
             for k in range(count - 1, 0, -1):

@@ -32,7 +32,7 @@ class TorqueFeedback(Controller):
     feedback: ClassVar[bool] = True
 
     @staticmethod
-    def step(held, tau, m, at_desired_1, gain, full_scale):
-        for i in range(m):
+    def step(held, tau, at_desired_1, desired_count, gain, full_scale):
+        for i in range(desired_count):
             command = held[i] + gain * (held[at_desired_1 + i] - abs(tau[i]))
             held[i] = min(max(command, 0.0), full_scale)
