@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -38,3 +39,27 @@ class Controller(Part):
     #: Held inputs that it reads and writes anew: ``command``, or names without their number; it is
     #: given what the stages before it told last, however often they act.
     rewrites: ClassVar[tuple[str, ...]] = ()
+
+    def held_inputs(self) -> tuple[str, ...]:
+        """`holds`; of a stage that serves one of several coordinates, as far as that one."""
+        return self.holds
+
+
+def held_side_by_side(controllers: Iterable[Controller]) -> list[str]:
+    """All held inputs of a run's stages, those that a number tells apart one after the other.
+
+    Parts find ``drive_3`` two places behind ``drive_1``, whatever stage holds which.
+
+    Parameters
+    ----------
+    controllers : iterable of Controller
+        In their order, which is that of the inputs otherwise.
+    """
+    names = dict.fromkeys(name for stage in controllers for name in stage.held_inputs())
+    stems = [_numbered(name)[0] for name in names]
+    return sorted(names, key=lambda name: (stems.index(_numbered(name)[0]), _numbered(name)[1]))
+
+
+def _numbered(name: str) -> tuple[str, int]:
+    stem, _, number = name.rpartition("_")
+    return (stem, int(number)) if number.isdecimal() else (name, 0)

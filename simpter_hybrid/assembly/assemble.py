@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..applied_load import Load
 from ..clutch import Clutch
-from ..controller import Controller
+from ..controller import Controller, held_side_by_side
 from ..device import Device
 from ..effect import Effect
 from ..part import Part
@@ -27,10 +27,7 @@ class ModelText(ClutchText):
         self.device, self.clutches, self.effects = device, clutches, effects
         self.a = Assembly(device)
         self.a.add(device, "device")
-        for controller, _ in controllers:
-            for name in controller.holds:
-                if name not in self.a.held:
-                    self.a.held.append(name)
+        self.a.held = held_side_by_side(controller for controller, _ in controllers)
         self.laws = []
         self.pushes: list[str] = []
         for i, clutch in enumerate(clutches):

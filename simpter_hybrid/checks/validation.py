@@ -9,6 +9,7 @@ from numbers import Integral
 from ..problems import Problems
 from ..scenario import METHODS, Scenario
 from .effect_check import check_effects
+from .index_check import check_indices
 from .law_check import check_law
 from .start_check import check_start, clutch_path
 
@@ -33,6 +34,7 @@ def check_scenario(scenario: Scenario, problems: Problems) -> None:
     _check_laws(scenario, problems)
     _check_stages(scenario, problems)
     check_effects(scenario, problems)
+    check_indices(scenario, problems)
     _check_records(scenario, problems)
     if len(problems) == before:
         check_start(scenario, problems)

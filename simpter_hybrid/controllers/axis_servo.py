@@ -9,11 +9,26 @@ from ..controller import Controller
 from ..loads.piecewise import check_rising, straight_value
 from ..part import counted, index, parameter, rows
 
-#: Held inputs that drives read: voltage, and 1 while the motor's terminals are open.
+#: Held inputs that drives read, one for each coordinate: voltage, and 1 while the motor's terminals
+#: are open.
+DRIVE_INPUTS = ("drive", "open")
+#: Those of two coordinates.
 HOLDS = ("drive_1", "drive_2", "open_1", "open_2")
 #: What a position servo remembers: two positions, the instant of the last, 1 once it has begun, and
 #: the integral.
 MEMORY = ("last", "before", "instant", "started", "integral")
+
+
+def drive_inputs(coordinate: float) -> tuple[str, ...]:
+    """Held inputs as far as a coordinate's, of the first two at least.
+
+    Parameters
+    ----------
+    coordinate : float
+        Its number, from 0.
+    """
+    count = max(int(coordinate) + 1, 2)
+    return tuple(f"{name}_{j + 1}" for name in DRIVE_INPUTS for j in range(count))
 
 
 def position_servo(
@@ -104,6 +119,10 @@ class PositionServo(Controller):
     def __post_init__(self) -> None:
         check_rising(self.points)
 
+    def held_inputs(self) -> tuple[str, ...]:
+        """Those of the coordinates as far as its own."""
+        return drive_inputs(self.coordinate)
+
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
         return counted(self.points)
@@ -152,6 +171,10 @@ class AxisSpeedServo(Controller):
 
     def __post_init__(self) -> None:
         check_rising(self.points)
+
+    def held_inputs(self) -> tuple[str, ...]:
+        """Those of the coordinates as far as its own."""
+        return drive_inputs(self.coordinate)
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
