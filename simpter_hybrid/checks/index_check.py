@@ -1,6 +1,8 @@
-"""Whether what parts name by number is there."""
+"""Whether the clutches and coordinates that parts name by number are there."""
 
 from __future__ import annotations
+
+import dataclasses
 
 from ..controller import held_side_by_side
 from ..controllers.axis_servo import DRIVE_INPUTS
@@ -10,7 +12,7 @@ from ..scenario import Scenario
 
 
 def check_indices(s: Scenario, problems: Problems) -> None:
-    """Record every part that asks for a drive that no stage holds.
+    """Record every number of a clutch or coordinate that the device, or the drives, do not have.
 
     Parameters
     ----------
@@ -19,7 +21,12 @@ def check_indices(s: Scenario, problems: Problems) -> None:
     """
     held = held_side_by_side(stage for stage, _ in s.controllers)
     for path, part in _places(s):
-        _check_drive(part, held, path, problems)
+        before = len(problems)
+        for f in dataclasses.fields(part):
+            if of := f.metadata.get("index"):
+                _check_index(s, (*path, f.name), of, getattr(part, f.name), problems)
+        if len(problems) == before:
+            _check_drive(part, held, path, problems)
 
 
 def _places(s: Scenario) -> list[tuple[KeyPath, Part]]:
@@ -28,6 +35,14 @@ def _places(s: Scenario) -> list[tuple[KeyPath, Part]]:
         found += [((key, k), part) for k, part in enumerate(parts)]
     found += [(("controller", "stages", k), stage) for k, (stage, _) in enumerate(s.controllers)]
     return found
+
+
+def _check_index(s: Scenario, path: KeyPath, of: str, value: float, problems: Problems) -> None:
+    names = s.device.surfaces if of == "clutch" else s.device.coordinates
+    if value not in range(len(names)):
+        told = ", ".join(f"{k} for {name}" for k, name in enumerate(names))
+        right = f"a {of} of {type(s.device).__name__}, as counted in Python: {told}"
+        problems.add(path, f"no such {of}", f"{value:g}", right)
 
 
 def _check_drive(part: Part, held: list[str], path: KeyPath, problems: Problems) -> None:
