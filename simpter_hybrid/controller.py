@@ -30,6 +30,8 @@ class Controller(Part):
     holds: ClassVar[tuple[str, ...]] = ()
     #: Names that later stages get from this one's memory instead, and where there (n cells each).
     replaces: ClassVar[dict[str, int]] = {}
+    #: Number of coordinates and least number of clutches of the devices it is for; (0, 0): any.
+    made_for: ClassVar[tuple[int, int]] = (0, 0)
     #: The most coordinates it serves (0: any number), and past samples it keeps of what it delays.
     most_coordinates: ClassVar[int] = 0
     kept_samples: ClassVar[int] = 0

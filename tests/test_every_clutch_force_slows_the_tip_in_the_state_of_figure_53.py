@@ -24,7 +24,7 @@ def test_the_tip_is_where_the_figure_shows_it():
 def test_power_of_a_unit_torque_is_minus_the_slip_speed(i):
     jacobian, force = [0.0] * 4, [0.0] * 2
     tip_jacobian(Q, (0.0, 0.0, 0.0, PTER.l_a, PTER.l_d), jacobian)
-    opposing_force(i, QD, jacobian, force)
+    opposing_force(i, QD, jacobian, ROWS.ravel(), force)
     velocity = np.reshape(jacobian, (2, 2)) @ QD
     # Force times tip velocity is torque times slip: two routes to one power, exact to rounding.
     assert velocity @ force == pytest.approx(-abs(ROWS[i] @ QD), rel=1e-12)

@@ -22,7 +22,7 @@ def cases(count=300):
 def test_least_effort_is_as_near_and_never_larger():
     for qd, wanted, columns in cases():
         out = [0.0] * 4
-        nearest_torques(*wanted, qd, out)
+        nearest_torques(*wanted, qd, ROWS.ravel(), out)
         vertex, residual = nnls(columns, wanted)
         # Distances to rounding of 50 N m; the effort is the least of all solutions.
         assert np.linalg.norm(columns @ out - wanted) == pytest.approx(residual, abs=1e-9)
@@ -34,7 +34,7 @@ def test_gomes_takes_the_one_clutch_nearest_in_tip_force():
     tip_jacobian((0.73, 1.58), (0.0, 0.0, 0.0, PTER.l_a, PTER.l_d), jacobian)
     for qd, wanted, columns in cases(100):
         out = [0.0] * 4
-        nearest_tip_force(*wanted, qd, jacobian, unit, out)
+        nearest_tip_force(*wanted, qd, jacobian, ROWS.ravel(), unit, out)
         pushes = np.linalg.solve(np.reshape(jacobian, (2, 2)).T, columns)
         # Singly, the best of each clutch is a one-column non-negative least squares.
         best = min(nnls(pushes[:, [i]], wanted)[1] for i in range(4))

@@ -6,7 +6,8 @@ import dataclasses
 import math
 from numbers import Integral
 
-from ..problems import Problems
+from ..controller import Controller
+from ..problems import KeyPath, Problems
 from ..scenario import METHODS, Scenario
 from .effect_check import check_effects
 from .index_check import check_indices
@@ -140,6 +141,7 @@ def _check_stages(s: Scenario, problems: Problems) -> None:
         if 0 < stage.most_coordinates < s.device.n:
             right = f"a device of at most {stage.most_coordinates}"
             problems.add((*path, "kind"), "too many coordinates", s.device.n, right)
+        _check_made_for(s, stage, (*path, "kind"), problems)
         longest = (stage.kept_samples - 1) * every * s.period
         if stage.kept_samples and (delay := getattr(stage, "delay", 0.0)) > longest:
             what, right = "beyond the past that is kept", f"at most {longest:g} s, or a lower rate"
@@ -155,6 +157,15 @@ def _check_stages(s: Scenario, problems: Problems) -> None:
                 if column and max(column) > most:
                     what, value = "command beyond full scale", f"{max(column):g} V"
                     problems.add((*path, f.name), what, value, right)
+
+
+def _check_made_for(s: Scenario, stage: Controller, path: KeyPath, problems: Problems) -> None:
+    n, m = stage.made_for
+    if n and (s.device.n != n or s.device.m < m):
+        what = f"{type(stage).__name__} is for devices of {n} coordinates and {m} clutches"
+        value = f"{s.device.n} coordinates and {s.device.m} clutches"
+        right = f"such a device (with more than {m} clutches too), or another stage"
+        problems.add(path, what, value, right)
 
 
 def _check_records(s: Scenario, problems: Problems) -> None:

@@ -39,11 +39,13 @@ class GomesVelocityController(Controller):
     lock_torque: float = parameter("torque", low=0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1", "desired_2", "desired_3", "desired_4")
+    made_for: ClassVar[tuple[int, int]] = (2, 4)
     uses: ClassVar[tuple] = (steer, opposing_force, angle_between)
 
     @staticmethod
     def step(
-        time, q, qd, p, rec, s, held, at_desired_1, tip, tip_jacobian, tip_force_now,
+        time, q, qd, p, rec, s, n, m, held, at_desired_1, tip, tip_jacobian, clutch_map,
+        tip_force_now,
         gain, x, y, angle, lock_torque,
     ):  # fmt: skip
         point = s[2:4]
@@ -51,14 +53,17 @@ class GomesVelocityController(Controller):
         push = s[8:12]
         unit = s[12:14]
         speeds = s[14:16]
+        rows = s[16 : 16 + m * n]
         speeds[0] = qd[0]
         speeds[1] = qd[1]
+        # First: loads use the scratch before `push`.
+        tip_force_now(time, q, p, rec, held, s, push)
         tip(q, p, point)
         tip_jacobian(q, p, jac)
-        tip_force_now(time, q, p, rec, held, s, push)
+        clutch_map(q, p, rows)
         off = (point[1] - y) * math.cos(angle) - (point[0] - x) * math.sin(angle)
         normal = push[1] * math.cos(angle) - push[0] * math.sin(angle)
         heading = 0.25 * math.pi if off > 0.0 else -0.25 * math.pi if off < 0.0 else 0.0
         outward = off * normal > 0.0
         at = at_desired_1
-        steer(heading, off, angle, outward, speeds, jac, gain, lock_torque, held, at, unit)
+        steer(heading, off, angle, outward, speeds, jac, rows, gain, lock_torque, held, at, unit)

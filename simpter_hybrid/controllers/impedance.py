@@ -55,13 +55,19 @@ class ImpedanceToLine(Controller):
     angle: float = parameter("angle")
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1", "desired_2", "desired_3", "desired_4")
+    made_for: ClassVar[tuple[int, int]] = (2, 4)
     uses: ClassVar[tuple] = (nearest_torques, pull_to_line)
 
     @staticmethod
-    def step(q, qd, p, s, held, at_desired_1, tip, tip_jacobian, stiffness, damping, x, y, angle):
+    def step(
+        q, qd, p, s, n, m, held, at_desired_1, tip, tip_jacobian, clutch_map,
+        stiffness, damping, x, y, angle,
+    ):  # fmt: skip
         point = s[0:2]
         jac = s[2:6]
         found = s[6:10]
+        rows = s[10 : 10 + m * n]
+        clutch_map(q, p, rows)
         tip(q, p, point)
         tip_jacobian(q, p, jac)
         nx = -math.sin(angle)
@@ -69,6 +75,6 @@ class ImpedanceToLine(Controller):
         pull = pull_to_line(point, jac, qd, stiffness, damping, x, y, angle)
         a = pull * (nx * jac[0] + ny * jac[2])
         b = pull * (nx * jac[1] + ny * jac[3])
-        nearest_torques(a, b, qd, found)
+        nearest_torques(a, b, qd, rows, found)
         for i in range(4):
             held[at_desired_1 + i] = found[i]

@@ -5,7 +5,7 @@ import math
 from .tip_forces import angle_between, opposing_force
 
 
-def steer(heading, off, angle, outward, qd, jac, gain, lock_torque, held, at, unit):
+def steer(heading, off, angle, outward, qd, jac, rows, gain, lock_torque, held, at, unit):
     """Write the desired clutch torques that turn the tip's velocity towards a heading.
 
     The clutch is the one whose tip force points towards the path and makes the smallest angle with
@@ -30,6 +30,8 @@ def steer(heading, off, angle, outward, qd, jac, gain, lock_torque, held, at, un
         Link speeds [rad/s].
     jac : array, (4,)
         Tip Jacobian, row-major [m/rad].
+    rows : array, (8,)
+        Clutch map of the four clutches, row-major.
     gain : float
         K_tau [N m^2/rad].
     lock_torque : float
@@ -54,7 +56,7 @@ def steer(heading, off, angle, outward, qd, jac, gain, lock_torque, held, at, un
     push = 0.0
     for i in range(4):
         held[at + i] = 0.0
-        opposing_force(i, qd, jac, unit)
+        opposing_force(i, qd, jac, rows, unit)
         towards = inward * (unit[1] * tx - unit[0] * ty)
         apart = angle_between(unit[0], unit[1], wx, wy)
         if towards > 0.0 and apart < nearest:

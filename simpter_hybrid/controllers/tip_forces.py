@@ -1,9 +1,9 @@
-"""What each of PTER's clutches does at the tip: a force, always against its slip."""
+"""What each of four clutches does at the tip: a force, always against its slip."""
 
 import math
 
 
-def opposing_force(i, qd, jac, out):
+def opposing_force(i, qd, jac, rows, out):
     """Tip force of a unit torque of clutch ``i`` against its slip; zero where it does not slip.
 
     Source: thesis equations (49)-(52), whose ``J`` takes tip forces to link torques.
@@ -13,14 +13,16 @@ def opposing_force(i, qd, jac, out):
     i : int
         Clutch, from 0.
     qd : array, (2,)
-        Link speeds [rad/s].
+        Speeds of the coordinates [rad/s or m/s].
     jac : array, (4,)
-        Tip Jacobian, row-major [m/rad].
+        Tip Jacobian, row-major [m/rad or 1].
+    rows : array, (8,)
+        Clutch map of the four clutches, row-major.
     out : array, (2,)
-        Force per torque, written [1/m].
+        Force per torque, written [1/m or 1].
     """
-    u = 0.0 if i == 1 else 1.0
-    v = 0.0 if i == 0 else -1.0 if i == 2 else 1.0
+    u = rows[2 * i]
+    v = rows[2 * i + 1]
     slip = u * qd[0] + v * qd[1]
     sign = -1.0 if slip > 0.0 else 1.0 if slip < 0.0 else 0.0
     det = jac[0] * jac[3] - jac[1] * jac[2]

@@ -1,8 +1,8 @@
 """Davis's torque translator: the achievable clutch torques nearest to the desired link torques."""
 
 
-def nearest_torques(a, b, qd, out):
-    """Torque magnitudes of PTER's clutches nearest to desired link torques.
+def nearest_torques(a, b, qd, rows, out):
+    """Magnitudes of four clutches' torques nearest to those desired of two coordinates.
 
     A clutch can only oppose its slip, so it offers ``-sign(w_i) C_i`` times a non-negative
     magnitude; the magnitudes minimize the distance from ``(a, b)`` [N m]: a non-negative least
@@ -18,11 +18,13 @@ def nearest_torques(a, b, qd, out):
     Parameters
     ----------
     a, b : float
-        Desired torques on links A and B [N m].
+        Desired torques on links A and B [N m], or forces along two lengths [N].
     qd : array, (2,)
-        Link speeds [rad/s].
+        Their speeds [rad/s or m/s].
+    rows : array, (8,)
+        Clutch map of the four clutches, row-major.
     out : array, (4,)
-        Magnitudes, written [N m].
+        Magnitudes, written [N m or N].
     """
     best = a * a + b * b
     small = 1e-12 * best
@@ -31,13 +33,14 @@ def nearest_torques(a, b, qd, out):
         out[k] = 0.0
     for i in range(4):
         # Column (xi, yi) that clutch i offers; its row of the clutch map is (ui, vi).
-        ui = 0.0 if i == 1 else 1.0
-        vi = 0.0 if i == 0 else -1.0 if i == 2 else 1.0
+        ui = rows[2 * i]
+        vi = rows[2 * i + 1]
         wi = ui * qd[0] + vi * qd[1]
         si = -1.0 if wi > 0.0 else 1.0 if wi < 0.0 else 0.0
         xi = si * ui
         yi = si * vi
-        along = (xi * a + yi * b) / (ui * ui + vi * vi)
+        size = ui * ui + vi * vi
+        along = (xi * a + yi * b) / size if size > 0.0 else 0.0
         if along > 0.0:
             left = (a - along * xi) ** 2 + (b - along * yi) ** 2
             if left < best - small or (left <= best + small and along * along < effort):
@@ -46,8 +49,8 @@ def nearest_torques(a, b, qd, out):
                 for k in range(4):
                     out[k] = along if k == i else 0.0
         for j in range(i):
-            uj = 0.0 if j == 1 else 1.0
-            vj = 0.0 if j == 0 else -1.0 if j == 2 else 1.0
+            uj = rows[2 * j]
+            vj = rows[2 * j + 1]
             wj = uj * qd[0] + vj * qd[1]
             sj = -1.0 if wj > 0.0 else 1.0 if wj < 0.0 else 0.0
             det = xi * sj * vj - sj * uj * yi

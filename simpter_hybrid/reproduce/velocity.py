@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..controllers.tip_forces import opposing_force
-from ..devices.pter_equations import tip_jacobian
+from ..devices.pter_equations import clutch_map, tip_jacobian
 from ..known_units import INCH
 from ..measuring.metrics import measures, time_weighted_average
 from ..measuring.sampling import sample
@@ -30,12 +30,13 @@ def velocity(engine: Engine, draws: int = 64) -> list[Row]:
 def figure_53() -> list[Row]:
     """Four force directions at one state."""
     x = nominal()
-    jacobian, unit = [0.0] * 4, [0.0] * 2
+    jacobian, unit, slips = [0.0] * 4, [0.0] * 2, [0.0] * 8
     tip_jacobian(Q, (0.0, 0.0, 0.0, x.l_a, x.l_d), jacobian)
+    clutch_map(Q, (), slips)
     move = np.reshape(jacobian, (2, 2)) @ QD
     angles, powers = [], []
     for i in range(4):
-        opposing_force(i, QD, jacobian, unit)
+        opposing_force(i, QD, jacobian, slips, unit)
         angles.append(math.degrees(math.atan2(unit[1], unit[0])))
         powers.append(float(move @ unit))
     tip = (
