@@ -146,11 +146,11 @@ class Part:
 
     def functions(self) -> dict[str, Callable]:
         """The static functions of the part by name, those of base classes included."""
-        return dict(_functions_of(type(self)))  # type: ignore[arg-type]
+        return dict(functions_of(type(self)))  # type: ignore[arg-type]
 
 
 @functools.lru_cache(maxsize=1024)
-def _functions_of(part: type) -> dict[str, Callable]:
+def functions_of(part: type) -> dict[str, Callable]:
     found: dict[str, Callable] = {}
     for cls in reversed(part.__mro__):
         for name, member in vars(cls).items():

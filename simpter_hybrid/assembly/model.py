@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 
 from ..device import Device
 from ..part import Part, arguments_of, source_of
+from .slices import stored_into
 
 #: Arguments of the assembled functions.
 SIGNATURES = {
@@ -57,7 +58,14 @@ class Assembly:
     guards: list[str] = field(default_factory=list)
 
     def add(self, part: Part, prefix: str) -> dict[str, str]:
-        """Register a part's parameters and functions; returns expressions for its parameters."""
+        """Register a part's parameters and functions; returns expressions for its parameters.
+
+        Raises
+        ------
+        WiringError
+            If a function stores into a slice.
+        """
+        self.check_slices(part)
         provides: dict[str, str] = {}
         for name, value in part.parameters().items():
             provides[name] = f"p[{len(self.values)}]"
@@ -73,6 +81,18 @@ class Assembly:
         for name, function in part.functions().items():
             self.sources[f"{tag}_{name}"] = source_of(function, f"{tag}_{name}")
         return provides
+
+    def check_slices(self, part: Part) -> None:
+        """Refuse a part whose functions would do something else as Python than compiled."""
+        known = tuple(self.device.functions().items())
+        found = stored_into(type(part), known)  # type: ignore[arg-type]
+        if found is not None:
+            function, written, array = found
+            raise WiringError(
+                f"{type(part).__name__}.{function} stores into {written}, a slice of {array}: as "
+                "Python that changes a copy, compiled the array itself; store into the array by "
+                "its index, as in mem[mem_at + 1] = ..., or into scratch, a slice of s"
+            )
 
     def call(self, part: Part, prefix: str, name: str, provides: Mapping[str, str]) -> str:
         """Text of a call of a part's function, wired by argument name.
