@@ -26,6 +26,7 @@ class TorqueLaw(Part):
     scaled: ClassVar[tuple[str, ...]] = ()
     breaking: ClassVar[tuple[str, ...]] = ()
     multiplied: ClassVar[tuple[str, ...]] = ()
+    of_surfaces: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)

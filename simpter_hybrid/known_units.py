@@ -89,6 +89,12 @@ BY_COORDINATE = {
     },
     "force a volt": {"angle": "torque/voltage", "length": "force/voltage"},
     "force a squared volt": {"angle": "torque/voltage^2", "length": "force/voltage^2"},
+    "volt a force": {"angle": "voltage/torque", "length": "voltage/force"},
+    "volt a force and second": {
+        "angle": "voltage/(torque*time)",
+        "length": "voltage/(force*time)",
+    },
+    "steering gain": {"angle": "torque*length/angle", "length": "force/angle"},
     "force an ampere": {"angle": "torque/current", "length": "force/current"},
 }
 

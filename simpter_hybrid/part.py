@@ -131,6 +131,8 @@ class Part:
 
     #: Plain functions that the part's functions call; their names must be unique in a model.
     uses: ClassVar[tuple[Callable, ...]] = ()
+    #: Whether its forces and speeds are those of friction surfaces, not those of a coordinate.
+    of_surfaces: ClassVar[bool] = False
 
     def parameters(self) -> dict[str, float]:
         """Names and values of the parameters, in the order of the fields."""

@@ -21,19 +21,20 @@ class DesiredTorque(Controller):
     Parameters
     ----------
     mean, amplitude : float
-        [N m].
+        [N m or N].
     frequency : float
         [Hz].
     phase : float
         [rad].
     """
 
-    mean: float = parameter("torque")
-    amplitude: float = parameter("torque", 0.0)
+    mean: float = parameter("coordinate force")
+    amplitude: float = parameter("coordinate force", 0.0)
     frequency: float = parameter("frequency", 0.0, low=0.0)
     phase: float = parameter("angle", 0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1",)
+    of_surfaces: ClassVar[bool] = True
 
     @staticmethod
     def step(time, held, at_desired_1, mean, amplitude, frequency, phase):

@@ -20,16 +20,17 @@ class IntegralFeedback(Controller):
     Parameters
     ----------
     gain : float
-        [V/(N m s)].
+        [V/(N m s) or V/(N s)].
     full_scale : float
         Largest command [V].
     """
 
-    gain: float = parameter("voltage/(torque*time)", low=0.0)
+    gain: float = parameter("volt a force and second", low=0.0)
     full_scale: float = parameter("voltage", 10.0, above=0.0)
 
     rewrites: ClassVar[tuple[str, ...]] = ("command",)
     feedback: ClassVar[bool] = True
+    of_surfaces: ClassVar[bool] = True
     memory: ClassVar[tuple[str, ...]] = ("last", *(f"integral_{i + 1}" for i in range(8)))
 
     @staticmethod

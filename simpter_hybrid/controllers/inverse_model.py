@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 from ..controller import Controller
 from ..laws import LBF_IN
@@ -19,12 +20,14 @@ class InverseModel(Controller):
     """
 
     scale: float = parameter("dimensionless", 1.0, above=0.0)
-    slope: float = parameter("1/angular_speed", 0.154, low=0.0)
+    slope: float = parameter("per coordinate speed", 0.154, low=0.0)
     offset: float = parameter("dimensionless", 0.9409, above=0.0)
-    a: float = parameter("torque/voltage^2", 6.439 * LBF_IN, above=0.0)
-    b: float = parameter("torque/voltage", 0.137 * LBF_IN)
-    c: float = parameter("torque", 0.371 * LBF_IN)
+    a: float = parameter("force a squared volt", 6.439 * LBF_IN, above=0.0)
+    b: float = parameter("force a volt", 0.137 * LBF_IN)
+    c: float = parameter("coordinate force", 0.371 * LBF_IN)
     full_scale: float = parameter("voltage", 10.0, above=0.0)
+
+    of_surfaces: ClassVar[bool] = True
 
     @staticmethod
     def step(

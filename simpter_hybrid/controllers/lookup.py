@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from ..controller import Controller
 from ..part import parameter
@@ -15,13 +16,15 @@ class LookupTable(Controller):
     Parameters
     ----------
     torque : float
-        Torque [N m] for which the table gives the full-scale command.
+        Torque [N m] or force [N] for which the table gives the full-scale command.
     full_scale : float
         Largest command [V].
     """
 
-    torque: float = parameter("torque", above=0.0)
+    torque: float = parameter("coordinate force", above=0.0)
     full_scale: float = parameter("voltage", 10.0, above=0.0)
+
+    of_surfaces: ClassVar[bool] = True
 
     @staticmethod
     def step(held, at_desired_1, desired_count, torque, full_scale):

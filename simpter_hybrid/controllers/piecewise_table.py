@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import ClassVar
 
 from ..controller import Controller
 from ..part import counted, rows
@@ -16,7 +17,8 @@ class PiecewiseTable(Controller):
     Parameters
     ----------
     points : tuple of (float, float)
-        Desired torque [N m] and command [V], both rising, from (0, 0) on; at least two.
+        Desired torque [N m] or force [N] and command [V], both rising, from (0, 0) on; at least
+        two.
 
     Raises
     ------
@@ -24,7 +26,11 @@ class PiecewiseTable(Controller):
         If there are fewer than two points or the torques do not rise.
     """
 
-    points: tuple[tuple[float, float], ...] = rows(("torque", "torque"), ("command", "voltage"))
+    points: tuple[tuple[float, float], ...] = rows(
+        ("torque", "coordinate force"), ("command", "voltage")
+    )
+
+    of_surfaces: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         torques = [t for t, _ in self.points]

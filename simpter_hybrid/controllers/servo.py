@@ -20,21 +20,21 @@ class SpeedServo(Controller):
     Parameters
     ----------
     speed : float
-        Wanted speed [rad/s].
+        Wanted speed [rad/s or m/s].
     gain : float
-        [N m s/rad].
+        [N m s/rad or N s/m].
     integral_gain : float
-        [N m/rad].
+        [N m/rad or N/m].
     limit : float
-        Largest torque [N m].
+        Largest torque or force [N m or N].
     start : float
         The reference is 0 before this instant [s].
     """
 
-    speed: float = parameter("angular_speed")
-    gain: float = parameter("rotational_damping")
-    integral_gain: float = parameter("rotational_stiffness")
-    limit: float = parameter("torque", low=0.0)
+    speed: float = parameter("coordinate speed")
+    gain: float = parameter("coordinate damping")
+    integral_gain: float = parameter("coordinate stiffness")
+    limit: float = parameter("coordinate force", low=0.0)
     start: float = parameter("time", 0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("motor_torque",)

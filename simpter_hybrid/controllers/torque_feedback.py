@@ -20,16 +20,17 @@ class TorqueFeedback(Controller):
     Parameters
     ----------
     gain : float
-        [V/(N m)].
+        [V/(N m) or V/N].
     full_scale : float
         Largest command [V].
     """
 
-    gain: float = parameter("voltage/torque", low=0.0)
+    gain: float = parameter("volt a force", low=0.0)
     full_scale: float = parameter("voltage", 10.0, above=0.0)
 
     rewrites: ClassVar[tuple[str, ...]] = ("command",)
     feedback: ClassVar[bool] = True
+    of_surfaces: ClassVar[bool] = True
 
     @staticmethod
     def step(held, tau, at_desired_1, desired_count, gain, full_scale):

@@ -27,22 +27,22 @@ class VelocityController(Controller):
         K_v: the distance from which the desired velocity stands at 90 degrees, were it not for
         the limit [m].
     gain : float
-        K_tau [N m^2/rad].
+        K_tau [N m^2/rad or N/rad].
     x, y : float
         A point of the path [m].
     angle : float
         Direction of the path from the x axis [rad].
     lock_torque : float
-        Desired torque of clutches 1 and 2 when they lock the tip [N m]; at least the torque at
+        Desired torque of clutches 1 and 2 when they lock the tip [N m or N]; at least the torque at
         which the look-up table gives full voltage.
     """
 
     distance: float = parameter("length", above=0.0)
-    gain: float = parameter("torque*length/angle", low=0.0)
+    gain: float = parameter("steering gain", low=0.0)
     x: float = parameter("length")
     y: float = parameter("length")
     angle: float = parameter("angle")
-    lock_torque: float = parameter("torque", low=0.0)
+    lock_torque: float = parameter("coordinate force", low=0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1", "desired_2", "desired_3", "desired_4")
     made_for: ClassVar[tuple[int, int]] = (2, 4)

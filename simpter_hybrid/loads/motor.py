@@ -9,7 +9,7 @@ from ..applied_load import Load
 
 @dataclass(frozen=True)
 class HeldTorque(Load):
-    """Generalized force on coordinate 0 equal to the held input ``motor_torque`` [N m].
+    """Generalized force on coordinate 0 equal to the held input ``motor_torque``, [N m] or [N].
 
     Some controller must write ``motor_torque`` (``controllers.servo``, ``controllers.hand``).
     """

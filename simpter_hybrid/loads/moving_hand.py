@@ -10,7 +10,7 @@ from ..part import parameter
 
 @dataclass(frozen=True)
 class MovingHand(Load):
-    """Torque on coordinate 0 of a spring and damper to a hand that moves at constant speed.
+    """Force on coordinate 0 of a spring and damper to a hand that moves at constant speed.
 
     While the lever is stuck the torque rises linearly; once it slips the hand carries it along.
     Source: thesis 4.3 (a user pushes a bar until the clutch slips and then tries to keep its
@@ -19,16 +19,16 @@ class MovingHand(Load):
     Parameters
     ----------
     speed : float
-        Of the hand [rad/s].
+        Of the hand [rad/s or m/s].
     stiffness : float
-        [N m/rad].
+        [N m/rad or N/m].
     damping : float
-        [N m s/rad].
+        [N m s/rad or N s/m].
     """
 
-    speed: float = parameter("angular_speed")
-    stiffness: float = parameter("rotational_stiffness", low=0.0)
-    damping: float = parameter("rotational_damping", low=0.0)
+    speed: float = parameter("coordinate speed")
+    stiffness: float = parameter("coordinate stiffness", low=0.0)
+    damping: float = parameter("coordinate damping", low=0.0)
 
     @staticmethod
     def force(time, q, qd, Q, speed, stiffness, damping):

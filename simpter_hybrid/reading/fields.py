@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ..clutch import TorqueLaw
 from ..device import Device
 from ..known_units import BY_COORDINATE
 from ..part import Part
@@ -86,9 +85,7 @@ def build(table: TableReader, cls: type[Part], context: Context, **given: Any) -
     fields = [f for f in dataclasses.fields(cls) if f.init and f.name not in given]
     indices = {f.metadata.get("index", f.name) for f in fields if _is_index(f)}
     numbers = context
-    if _mixed(context.device) and (
-        indices == {"clutch"} or (issubclass(cls, TorqueLaw) and not indices)
-    ):
+    if _mixed(context.device) and (indices == {"clutch"} or (cls.of_surfaces and not indices)):
         # Its surfaces may rub along lengths or over angles: no device says which.
         numbers = context._replace(device=None)
     # Indices first: what other fields measure may depend on the coordinate.
