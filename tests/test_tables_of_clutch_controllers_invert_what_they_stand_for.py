@@ -29,9 +29,19 @@ def test_piecewise(torque):
     assert command(PiecewiseTable(POINTS), torque) == pytest.approx(right, rel=1e-14)
 
 
-def test_points_must_rise():
-    with pytest.raises(ValueError, match="rising torques"):
-        PiecewiseTable(((0.0, 0.0), (0.0, 1.0)))
+@pytest.mark.parametrize(
+    ("points", "said"),
+    [
+        (((0.0, 0.0),), "got 1, at least two"),
+        (((0.0, 0.0), (0.0, 1.0)), "rising torques"),
+        (((0.0, 8.0), (1.0, 9.0)), r"8 V; it has to be \(0, 0\)"),
+        (((1.0, 0.0), (2.0, 9.0)), r"1 N m \(or N\), 0 V; it has to be \(0, 0\)"),
+        (((0.0, 0.0), (1.0, 8.0), (2.0, 7.0)), "7 V follows 8 V"),
+    ],
+)
+def test_points_must_rise(points, said):
+    with pytest.raises(ValueError, match="points: .*" + said):
+        PiecewiseTable(points)
 
 
 @pytest.mark.parametrize("torque", [5.0, 150.0, 600.0])

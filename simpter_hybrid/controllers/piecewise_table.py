@@ -17,13 +17,13 @@ class PiecewiseTable(Controller):
     Parameters
     ----------
     points : tuple of (float, float)
-        Desired torque [N m] or force [N] and command [V], both rising, from (0, 0) on; at least
-        two.
+        Desired torque [N m] or force [N], rising, and command [V], which does not fall; at least
+        two, the first (0, 0).
 
     Raises
     ------
     ValueError
-        If there are fewer than two points or the torques do not rise.
+        If there are fewer than two points, the first is another, or they do not rise so.
     """
 
     points: tuple[tuple[float, float], ...] = rows(
@@ -33,12 +33,26 @@ class PiecewiseTable(Controller):
     of_surfaces: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
-        torques = [t for t, _ in self.points]
-        if len(torques) < 2 or any(b <= a for a, b in pairwise(torques)):
+        if len(self.points) < 2:
             raise ValueError(
-                f"look-up table with torques {torques} N m: at least two points with rising "
-                "torques are needed; sort the points and drop repeated torques"
+                f"points: got {len(self.points)}, at least two with rising torques are needed"
             )
+        if (first := tuple(self.points[0])) != (0.0, 0.0):
+            raise ValueError(
+                f"points: the first is {first[0]:g} N m (or N), {first[1]:g} V; it has to be "
+                "(0, 0): where nothing is desired nothing is commanded"
+            )
+        for (torque, command), (further, higher) in pairwise(self.points):
+            if further <= torque:
+                raise ValueError(
+                    f"points: {further:g} N m (or N) follows {torque:g}; rising torques are "
+                    "needed: sort the points and drop repeated torques"
+                )
+            if higher < command:
+                raise ValueError(
+                    f"points: {higher:g} V follows {command:g} V; a larger torque never takes a "
+                    "lower command: give commands that do not fall"
+                )
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
