@@ -173,7 +173,10 @@ def _check_records(s: Scenario, problems: Problems) -> None:
         covers = getattr(load, "covers", None)
         if covers is not None:
             first, last = covers()
-            if first > 0.0 or last < s.t_end:
-                what = f"the record from {first:g} s to {last:g} s does not cover the run"
+            what = f"the record from {first:g} s to {last:g} s does not cover the run"
+            if first > 0.0:
+                right = "a first instant of 0 s or before: shift the times, or add what came before"
+                problems.add(("loads", k), f"{what}, which begins at 0 s", f"{first:g} s", right)
+            if last < s.t_end:
                 right = f"t_end of at most {last:g} s"
                 problems.add(("loads", k), what, f"{s.t_end:g} s", right)
