@@ -62,13 +62,24 @@ def path_of(numbers: Mapping[str, float]) -> Line | Circle | None:
 
 
 def desired_path(scenario) -> Line | Circle | None:
-    """The path of a scenario's tip: its note ``path``, else the first that a controller has."""
+    """The path of a scenario's tip: its note ``path``, else the first that a controller has.
+
+    Raises
+    ------
+    TypeError
+        If the note is neither a path nor the numbers of one.
+    """
     if "tip" not in scenario.device.functions():
         return None
     noted = scenario.notes.get("path")
+    if isinstance(noted, Line | Circle):
+        return noted
     if isinstance(noted, Mapping):
         return path_of(noted)
     if noted is not None:
-        return noted
+        raise TypeError(
+            f'notes["path"]: {noted!r} is no path; give a Line, a Circle, or numbers such as '
+            '{"x": 0.0, "y": 0.61, "angle": 0.0} (or "radius"), in m and rad'
+        )
     found = (path_of(controller.parameters()) for controller, _ in scenario.controllers)
     return next((path for path in found if path is not None), None)
