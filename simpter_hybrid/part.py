@@ -131,6 +131,8 @@ class Part:
 
     #: Plain functions that the part's functions call; their names must be unique in a model.
     uses: ClassVar[tuple[Callable, ...]] = ()
+    #: Whether it plays back a recorded run (``Scenario.rec``), which no file has.
+    plays_recording: ClassVar[bool] = False
     #: Whether its forces and speeds are those of friction surfaces, not those of a coordinate.
     of_surfaces: ClassVar[bool] = False
 

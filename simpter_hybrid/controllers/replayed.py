@@ -57,6 +57,7 @@ class ReplayedServo(Controller):
     holds: ClassVar[tuple[str, ...]] = ("motor_torque", "neighbour_command")
     memory: ClassVar[tuple[str, ...]] = ("integral",)
     uses: ClassVar[tuple] = (recorded_row,)
+    plays_recording: ClassVar[bool] = True
 
     @staticmethod
     def step(

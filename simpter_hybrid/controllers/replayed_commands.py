@@ -37,6 +37,7 @@ class ReplayedCommands(Controller):
     """
 
     uses: ClassVar[tuple] = (command_row,)
+    plays_recording: ClassVar[bool] = True
 
     @staticmethod
     def step(k, rec, m, held):
@@ -51,6 +52,7 @@ class ReplayedPush(Controller):
 
     holds: ClassVar[tuple[str, ...]] = ("hand_x", "hand_y")
     uses: ClassVar[tuple] = (command_row,)
+    plays_recording: ClassVar[bool] = True
 
     @staticmethod
     def step(k, rec, m, held, at_hand_x, at_hand_y):

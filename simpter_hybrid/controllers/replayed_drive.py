@@ -20,6 +20,7 @@ class ReplayedDrive(Controller):
 
     holds: ClassVar[tuple[str, ...]] = ("drive_1", "open_1")
     uses: ClassVar[tuple] = (recorded_row,)
+    plays_recording: ClassVar[bool] = True
 
     @staticmethod
     def step(k, rec, held, at_drive_1, at_open_1):

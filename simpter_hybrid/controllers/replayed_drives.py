@@ -39,6 +39,7 @@ class ReplayedDrives(Controller):
 
     holds: ClassVar[tuple[str, ...]] = HOLDS
     uses: ClassVar[tuple] = (joint_row,)
+    plays_recording: ClassVar[bool] = True
 
     @staticmethod
     def step(k, rec, held, at_drive_1, at_open_1):

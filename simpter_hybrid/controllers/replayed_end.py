@@ -20,6 +20,7 @@ class ReplayedEnd(Controller):
 
     holds: ClassVar[tuple[str, ...]] = ("end", "end_rate")
     uses: ClassVar[tuple] = (recorded_row,)
+    plays_recording: ClassVar[bool] = True
 
     @staticmethod
     def step(k, time, rec, held, at_end, at_end_rate):

@@ -44,6 +44,7 @@ class ReplayedReference(Controller):
     holds: ClassVar[tuple[str, ...]] = ("drive_1", "open_1")
     uses: ClassVar[tuple] = (recorded_row, position_servo)
     memory: ClassVar[tuple[str, ...]] = MEMORY
+    plays_recording: ClassVar[bool] = True
 
     @staticmethod
     def step(

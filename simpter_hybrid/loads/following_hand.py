@@ -72,6 +72,7 @@ class FollowingHand(Load):
     limit: float = parameter("force", above=0.0)
 
     uses: ClassVar[tuple] = (knot_value, knot_rate, gives_way)
+    plays_recording: ClassVar[bool] = True
 
     @staticmethod
     def tip_force(

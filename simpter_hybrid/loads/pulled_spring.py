@@ -98,6 +98,8 @@ class ReplayedPull(Load):
     stiffness: float = parameter("coordinate stiffness", above=0.0)
     damping: float = parameter("coordinate damping", 0.0, low=0.0)
 
+    plays_recording: ClassVar[bool] = True
+
     @staticmethod
     def force(time, q, qd, held_end, held_end_rate, Q, stiffness, damping):
         end = held_end + held_end_rate * time

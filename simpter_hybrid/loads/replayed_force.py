@@ -38,6 +38,7 @@ class ReplayedTipForce(Load):
     """
 
     uses: ClassVar[tuple] = (knot_value,)
+    plays_recording: ClassVar[bool] = True
 
     @staticmethod
     def tip_force(time, rec, out):

@@ -59,7 +59,13 @@ class UnknownKindError(LookupError):
 
 @cache
 def shipped(family: str) -> dict[str, type[Part]]:
-    """Kinds and classes of a family's shipped parts, sorted by kind."""
+    """Kinds and classes of a family's shipped parts that a file may name, sorted by kind."""
+    return {kind: cls for kind, cls in _with_replays(family).items() if not cls.plays_recording}
+
+
+@cache
+def _with_replays(family: str) -> dict[str, type[Part]]:
+    """`shipped`, and those that play back a recorded run."""
     base, modules, suffix = FAMILIES[family]
     found: dict[str, type[Part]] = {}
     for name in modules:
@@ -80,7 +86,7 @@ def kind_name(cls: type, suffix: str = "") -> str:
 
 def kind_of(family: str, part: Part) -> str:
     """What a file writes for a part's class."""
-    for kind, cls in shipped(family).items():
+    for kind, cls in _with_replays(family).items():
         if type(part) is cls:
             return kind
     return f"{type(part).__module__}:{type(part).__qualname__}"
@@ -107,6 +113,9 @@ def find(family: str, kind: str, folder: Path) -> Any:
     if ":" not in kind:
         if kind in known:
             return known[kind]
+        if kind in _with_replays(family):
+            what = "it plays back a recorded run, as a diagnosis does, and a file has none"
+            raise UnknownKindError(what, _one_of(kind, known))
         raise UnknownKindError(f"unknown kind of {family}", _elsewhere(kind) + _one_of(kind, known))
     module_name, _, name = kind.partition(":")
     try:
