@@ -57,7 +57,7 @@ DEVICES = {
     "belt-and-mass": "Four functions and the spring's force by hand; the belt is a second, heavy "
     "coordinate, so that the textbook's stick-slip needs nothing special.",
     "force-feedback-mouse": "Four functions by hand after the thesis's 6.2.1, a line or two each: "
-    "the inertia is constant, the clutch map is that of PTER, in metres.",
+    "the inertia is constant, the clutch map is PTER's with clutches 3 and 4 exchanged, in metres.",
     "planar-arm": "A Lagrangian given to `derive_device` (symbols, kinetic energy, slip angles): "
     "three coordinates, five clutches, two of them on the tip's position, so that the clutch map "
     "depends on the pose. The text it wrote is the module; locks that contradict each other are "
