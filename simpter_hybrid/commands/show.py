@@ -25,11 +25,11 @@ def execute(args: argparse.Namespace) -> int:
     from ..files.scenario_file import find_scenario, load
 
     if not (args.resolved or args.json or args.set):
-        from ..files.tomlfile import read_toml
+        from ..files.tomlfile import parse_toml, read_text
 
-        file = find_scenario(args.scenario)
-        read_toml(file)  # a file that is no TOML is a problem here as well
-        sys.stdout.write(file.read_text(encoding="utf-8-sig"))
+        text, source = read_text(find_scenario(args.scenario))
+        parse_toml(text, source)  # a file that is no TOML is a problem here as well
+        sys.stdout.write(text.replace("\r\n", "\n"))
         return DONE
     from ..files.scenario_text import resolve
 
