@@ -20,23 +20,17 @@ from ..measuring.energy import energy_balance
 from ..measuring.metrics import measures
 from ..measuring.readings import readings_csv
 from ..scenario import Scenario
-from ..trajectory import Event, Trajectory
+from ..trajectory import Trajectory
 from ..versions import own_version
+from .archive import ABOUT, FORMAT, StoredRunError, read_archive
 from .json_text import json_text, plain
 from .run_directory import BESIDE, MARK, digests, run_directory
 from .same_scenario import difference, difference_from, identity
 from .scenario_file import parse
 
-FORMAT = "simpter_hybrid run 1"
-#: Member of ``trajectory.npz`` that holds what is not an array.
-ABOUT = "about.json"
 EVENT_COLUMNS = (
     "t", "kind", "clutches", "before", "after", "case_before", "case_after", "margin", "note"
 )  # fmt: skip
-
-
-class StoredRunError(ValueError):
-    """A stored run that cannot be read."""
 
 
 def save(
@@ -141,54 +135,31 @@ def load(directory: str | Path, scenario: Scenario | None = None) -> Trajectory:
     StoredRunError
         If files are missing or damaged, or the scenario is not the one that was run.
     InvalidInput
-        If ``scenario.toml`` has been damaged.
+        If what ``scenario.toml`` says is no scenario any more.
     """
     directory = Path(directory)
     if scenario is None:
         scenario = _scenario_of(directory)
-    try:
-        with np.load(directory / MARK, allow_pickle=False) as stored:
-            about = json.loads(stored[ABOUT])
-            told = {name: about.pop(name) for name in ("format", "parameters", "events")}
-            arrays = {name: stored[name] for name in stored.files if name != ABOUT}
-    except FileNotFoundError:
-        raise StoredRunError(
-            f"{directory} holds no {MARK}; give the directory of a finished run"
-        ) from None
-    except (OSError, KeyError, ValueError, zipfile.BadZipFile) as error:
-        raise StoredRunError(
-            f"{directory / MARK} cannot be read ({error}); run the scenario again"
-        ) from error
-    if told["format"] != FORMAT:
-        raise StoredRunError(
-            f"{directory / MARK} was written by another version of the program; "
-            "run the scenario again"
-        )
-    ran = about.pop("scenario", {})  # not in runs that were saved before it was compared
-    _refuse_if(_parameter_changed(scenario, told["parameters"]), directory)
-    _refuse_if(difference(scenario, ran), directory)
-    events = tuple(_event(entry) for entry in told["events"])
-    run = Trajectory(**arrays, **about, events=events, scenario=scenario)
+    stored = read_archive(directory / MARK)
+    _refuse_if(_parameter_changed(scenario, stored.parameters), directory)
+    _refuse_if(difference(scenario, stored.identity), directory)
+    run = Trajectory(**stored.values, scenario=scenario)
     _refuse_if(difference_from(scenario, run), directory)
     return run
-
-
-def _event(entry: dict[str, Any]) -> Event:
-    fields: dict[str, Any] = {
-        name: tuple(v) if isinstance(v, list) else v for name, v in entry.items()
-    }
-    return Event(**fields)
 
 
 def _scenario_of(directory: Path) -> Scenario:
     file = directory / "scenario.toml"
     try:
-        return parse(file.read_text(encoding="utf-8"), str(file), directory)
+        text = file.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise StoredRunError(
             f"{directory} holds no scenario.toml (the run was not made from a file); "
             "pass the Scenario itself"
         ) from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise StoredRunError(f"{file} cannot be read ({error}); run the scenario again") from error
+    return parse(text, str(file), directory)
 
 
 def _parameter_changed(scenario: Scenario, ran: Mapping[str, float]) -> str:
