@@ -146,10 +146,20 @@ def read_effects(root: TableReader, context: Context) -> tuple[Effect, ...]:
 
 
 def read_stops(root: TableReader, context: Context) -> tuple[Part, ...]:
-    """``[[stops]]``; one before singular poses is added unless the file has its own."""
+    """``[[stops]]``; one before singular poses is added unless the file has its own.
+
+    None is added to ``stops = []``, nor to any with ``default_stops = false``.
+    """
     stops = read_list(root, "stops", "stop", context)
-    has = context.device is not None and "singularity" in context.device.functions()
-    return stops if not has or any(isinstance(s, Singular) for s in stops) else (*stops, Singular())
+    added = root.boolean("default_stops", root.data.get("stops") != [])
+    if not added or not has_singular_poses(context.device):
+        return stops
+    return stops if any(isinstance(s, Singular) for s in stops) else (*stops, Singular())
+
+
+def has_singular_poses(device: Device | None) -> bool:
+    """Whether a device tells how near a singular pose is."""
+    return device is not None and "singularity" in device.functions()
 
 
 def read_path(root: TableReader) -> dict[str, float]:
