@@ -145,6 +145,7 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
         As for `scenario_of`.
     """
     from ..reading import sections
+    from ..reading.ends import read_stops
     from ..reading.fields import Context
     from ..reading.sensors import read_readings
 
@@ -169,7 +170,7 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
         "clutches": sections.read_clutches(root, device, folder),
         "loads": sections.read_loads(root, context),
         "effects": sections.read_effects(root, context),
-        "stops": sections.read_stops(root, context),
+        "stops": read_stops(root, context),
         **sections.read_start(root, device),
         **_read_run(root.table("run")),
     }

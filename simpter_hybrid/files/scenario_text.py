@@ -13,11 +13,10 @@ from ..part import Part
 from ..reading import sensors
 from ..reading.additions import begun_with, changed_numbers, written
 from ..reading.beside import texts_beside
+from ..reading.ends import written_without
 from ..reading.fields import coordinate_kind, resolved
 from ..reading.kinds import kind_of
-from ..reading.sections import has_singular_poses
 from ..scenario import Scenario
-from ..stop import Singular
 from ..units import format_quantity, si_unit
 from .provenance import labelled
 from .tomlfile import dump_toml
@@ -119,7 +118,7 @@ class _Writer:
                 found[key] = [
                     self.part(p, family, f"{family}-{k + 1}") for k, p in enumerate(parts)
                 ]
-        found |= self.without_default_stops()
+        found |= written_without(s.stops, s.device)
         if s.period > 0.0:
             stages = [
                 self.part(stage, "controller", f"stage-{k + 1}") | {"every": every}
@@ -133,13 +132,6 @@ class _Writer:
         if path := s.notes.get("path"):
             found["path"] = self.path(path)
         return found
-
-    def without_default_stops(self) -> dict[str, Any]:
-        """What keeps a reader from adding a stop before singular poses that the scenario lacks."""
-        stops = self.s.stops
-        if not has_singular_poses(self.s.device) or any(isinstance(p, Singular) for p in stops):
-            return {}
-        return {"default_stops": False} if stops else {"stops": []}
 
     def start(self) -> dict[str, Any]:
         kinds = [coordinate_kind(self.s.device, j) for j in range(self.s.device.n)]

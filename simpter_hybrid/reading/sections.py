@@ -15,8 +15,6 @@ from ..controller import Controller
 from ..device import Device
 from ..devices.pter import Pter
 from ..effect import Effect
-from ..part import Part
-from ..stop import Singular
 from ..units import format_quantity, parse_quantity
 from .additions import KEY, NUMBERS, read_additions, read_numbers
 from .beside import texts_beside
@@ -115,7 +113,7 @@ def read_controller(
 
 
 def read_list(root: TableReader, key: str, family: str, context: Context) -> tuple[Any, ...]:
-    """An array of parts: ``[[loads]]``, ``[[effects]]``, ``[[stops]]``."""
+    """An array of parts, as ``[[loads]]`` and ``[[stops]]``."""
     found = [read_part(table, family, context) for table in root.tables(key, ())]
     return tuple(part for part in found if part is not None)
 
@@ -143,23 +141,6 @@ def read_effects(root: TableReader, context: Context) -> tuple[Effect, ...]:
             table.problem(other, f"an effect on a {place}", f"no such key, only {place}")
         found.append(effect)
     return tuple(found)
-
-
-def read_stops(root: TableReader, context: Context) -> tuple[Part, ...]:
-    """``[[stops]]``; one before singular poses is added unless the file has its own.
-
-    None is added to ``stops = []``, nor to any with ``default_stops = false``.
-    """
-    stops = read_list(root, "stops", "stop", context)
-    added = root.boolean("default_stops", root.data.get("stops") != [])
-    if not added or not has_singular_poses(context.device):
-        return stops
-    return stops if any(isinstance(s, Singular) for s in stops) else (*stops, Singular())
-
-
-def has_singular_poses(device: Device | None) -> bool:
-    """Whether a device tells how near a singular pose is."""
-    return device is not None and "singularity" in device.functions()
 
 
 def read_path(root: TableReader) -> dict[str, float]:
