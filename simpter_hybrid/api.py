@@ -183,7 +183,8 @@ def sweep(
         ``compiled``: cases of one structure are run together, to the same bits; or ``reference``.
     measures : str or callable
         ``brief``; ``all`` of ``metrics.measures``; or a function of a run that hands back numbers
-        by name (of a module, so that other processes find it).
+        by name (of a module, so that other processes find it; what it depends on tells it from
+        others).
     step : float or str
         Sampling step of the measures [s].
     jobs : int

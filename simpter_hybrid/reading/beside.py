@@ -73,6 +73,21 @@ def texts_beside(made: Any, module: str) -> dict[str, str]:
     return found
 
 
+def texts_with_imported(module: ModuleType, text: str) -> dict[str, str]:
+    """Texts, by name, of a module and of those in its folder that it imports, or is going to.
+
+    Parameters
+    ----------
+    module : module
+    text : str
+        Its own.
+    """
+    found = {module.__name__: text}
+    if own := getattr(module, "__file__", None):
+        _add_imported(found, module.__name__, Path(own).resolve().parent, going_to=True)
+    return found
+
+
 class _Beside(SourceFileLoader):
     """A loader that leaves nothing beside what it loads: the folder may be that of a stored run."""
 
@@ -128,17 +143,21 @@ def _keep(module: ModuleType, file: Path, text: str) -> None:
     _TEXTS.update((each, texts) for each in vars(module).values() if _made_in(name, each))
 
 
-def _add_imported(texts: dict[str, str], name: str, folder: Path) -> None:
-    """Add the texts of the modules of a folder that one of them imports, and so on."""
+def _add_imported(texts: dict[str, str], name: str, folder: Path, going_to: bool = False) -> None:
+    """Add the texts of the modules of a folder that one of them imports, and so on.
+
+    With ``going_to`` also of those that a function imports when it is called.
+    """
     for node in ast.walk(ast.parse(texts[name])):
         named = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
         if isinstance(node, ast.ImportFrom) and node.module and not node.level:
             named = [node.module]
         for each in named:
             file = folder / f"{each}.py"
-            if each not in texts and _is_in(sys.modules.get(each), file):
+            later = going_to and each not in sys.modules and file.is_file()
+            if each not in texts and (later or _is_in(sys.modules.get(each), file)):
                 texts[each] = file.read_text(encoding="utf-8")
-                _add_imported(texts, each, folder)
+                _add_imported(texts, each, folder, going_to)
 
 
 def _is_in(module: ModuleType | None, file: Path) -> bool:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from ..engines import ENGINES
 from ..files.scenario_text import resolve
@@ -20,6 +18,7 @@ from .brief import FEWEST, OwnMeasure
 from .case import case_name
 from .code_version import code_version
 from .design import Design, design, read_cases
+from .measure_identity import UnidentifiedMeasure, measures_identity
 from .results import SweepDirectory
 from .work import Case, Options
 
@@ -190,6 +189,10 @@ def _check_options(request: Request, problems: Problems) -> float:
     if not callable(request.measures) and request.measures not in MEASURES:
         right = f"one of {', '.join(MEASURES)}, or in Python a function of a run"
         problems.add((), "no such measures", request.measures, right, "--measures")
+    try:
+        measures_identity(request.measures)
+    except UnidentifiedMeasure as error:
+        problems.add((), error.what, error.got, error.right, "--measures")
     if request.jobs < 1:
         problems.add((), "not a number of processes", request.jobs, "1 or more", "--jobs")
     if request.chunk is not None and request.chunk < 1:
@@ -273,22 +276,3 @@ def _at_vary(problem: Problem, path: str) -> Problem:
     elif problem.path != path:
         where = f"--vary {path}: {where}"
     return problem._replace(where=where)
-
-
-def measures_identity(measures: str | OwnMeasure) -> str:
-    """Name of the measures; of a function of one's own with a fingerprint of its source.
-
-    Parameters
-    ----------
-    measures : str or callable
-        As in the request.
-    """
-    if isinstance(measures, str):
-        return measures
-    named: Any = measures
-    try:
-        source = inspect.getsource(named)
-    except (OSError, TypeError):
-        source = ""
-    name = f"{getattr(named, '__module__', '')}:{getattr(named, '__qualname__', 'measure')}"
-    return f"{name} {fingerprint(source)[:16]}"
