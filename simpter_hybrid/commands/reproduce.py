@@ -51,7 +51,7 @@ def execute(args: argparse.Namespace) -> int:
     names = _asked(args) or list(REPRODUCTIONS)
     folder = args.out or ("" if args.name else "out/reproduce")
     if folder:
-        check_out(folder, "rows.json")
+        check_out(folder, "rows.json", names)
     if args.engine == "compiled":
         from ..compiled import simulate as engine
     else:

@@ -53,7 +53,7 @@ def execute(args: argparse.Namespace) -> int:
         raise InvalidInput(problems)
     folder = args.out or ("" if args.name else "out/studies")
     if folder:
-        check_out(folder, "numbers.json")
+        check_out(folder, "numbers.json", names)
     from ..files.json_text import json_text
     from ..studies.page import as_text, write_pages
 
