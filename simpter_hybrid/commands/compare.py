@@ -9,6 +9,8 @@ from typing import Any
 
 from . import CHECK_FAILED, DONE, FAILED
 
+#: What a directory with a comparison is known by.
+MARK = "comparison.json"
 HELP = "compare Karnopp's band, or smooth friction, with the exact run"
 
 
@@ -105,14 +107,13 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
         for row in found.rows:
             print(f"{row.name}: {row.cpu:.3f} s", file=sys.stderr)
     if args.out:
-        from ..plots.comparison import comparison_figures
+        from ..files.replaced_files import replace_files
+        from ..plots.comparison import FIGURES, comparison_figures
         from ..plots.style import png
 
-        directory = Path(args.out)
-        directory.mkdir(parents=True, exist_ok=True)
-        (directory / "comparison.json").write_text(text, encoding="utf-8")
-        for name, picture in comparison_figures(found).items():
-            (directory / f"{name}.png").write_bytes(png(picture))
+        files = {f"{name}.png": png(picture) for name, picture in comparison_figures(found).items()}
+        earlier = [f"{name}.png" for name in FIGURES]
+        replace_files(Path(args.out), {**files, MARK: text.encode()}, earlier)
     broken = exceeded(found, bounds)
     for line in broken:
         print(f"check failed: {line}", file=sys.stderr)
@@ -125,6 +126,7 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
 
 def check_directory(out: str | None, force: bool, problems: Any) -> None:
     """Refuse, before anything is computed, a directory that must or could not be written."""
+    from ..files.replaced_files import PARTIAL
     from ..files.run_directory import RunDirectoryError, check_makeable
 
     if out is None:
@@ -132,9 +134,11 @@ def check_directory(out: str | None, force: bool, problems: Any) -> None:
     try:
         if not out:
             raise RunDirectoryError("an empty name")
-        check_makeable(Path(out) / "comparison.json")
-        ours = (Path(out) / "comparison.json").is_file()
-        if Path(out).is_dir() and any(Path(out).iterdir()) and not (force and ours):
+        check_makeable(Path(out) / MARK)
+        ours = (Path(out) / MARK).is_file()
+        there = Path(out).iterdir() if Path(out).is_dir() else ()
+        taken = any(not file.name.startswith(PARTIAL) for file in there)
+        if taken and not (force and ours):
             problems.add(
                 (), "not free", out, "a new directory, or --force to replace a comparison", "--out"
             )

@@ -18,6 +18,8 @@ from .display import SI, Display
 from .style import CLUTCH_COLOURS, GREY, INK, figure, styled
 
 MARKERS = "osD^vP*X"
+#: Names of all pictures that a comparison may have.
+FIGURES = ("error_and_cost", "paths", "one_transition")
 
 
 def families(comparison: Comparison) -> dict[str, list[int]]:
@@ -159,7 +161,7 @@ def one_transition(comparison: Comparison) -> Figure | None:
 
 
 def comparison_figures(comparison: Comparison, display: Display = SI) -> dict[str, Figure]:
-    """All pictures of a comparison by name."""
+    """All pictures of a comparison by name, out of ``FIGURES``."""
     found = {
         "error_and_cost": error_against_band(comparison),
         "paths": paths(comparison, display),
