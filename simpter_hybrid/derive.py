@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import keyword
 import linecache
-import re
 import sys
 import textwrap
 from collections.abc import Mapping, Sequence
@@ -13,6 +11,7 @@ from hashlib import sha256
 from types import ModuleType
 from typing import Any
 
+from .derive_check import check_dimensions, check_fields, check_locals, check_names, check_symbols
 from .device import Device
 
 #: A method to be written: its name, its arguments, what it computes and what is said of that.
@@ -81,17 +80,18 @@ def derive_text(
     Raises
     ------
     ValueError
-        If a symbol is not declared, the kinetic energy is not quadratic, or a slip velocity is not
-        linear in the speeds.
+        If a symbol is not declared, the kinetic energy is not quadratic, a slip velocity is not
+        linear in the speeds, or a coordinate is said to measure something else.
     """
     import sympy as sp
 
     from derivations.lagrangian import lagrange
 
     q, qd = sp.Matrix(list(coordinates)), sp.Matrix(list(speeds))
-    _check_names(name, [*coordinates, *parameters], slips)
-    _check_fields(parameters)
-    _check_symbols([kinetic, potential, *slips.values(), *tip], [*q, *qd, *parameters])
+    check_names(name, [*coordinates, *parameters], slips)
+    check_fields(parameters)
+    check_dimensions(dimensions, len(q))
+    check_symbols([kinetic, potential, *slips.values(), *tip], [*q, *qd, *parameters])
     motion = lagrange(sp.sympify(kinetic), q, qd)
     C = sp.Matrix([_row(surface, slip, q, qd) for surface, slip in slips.items()])
     if not slips:
@@ -109,7 +109,7 @@ def derive_text(
         *(_of_tip(tip, q, qd) if tip else ()),
     ]
     methods = [_method(piece, bindings) for piece in pieces]
-    _check_locals(bindings, methods, pieces)
+    check_locals(bindings, methods, pieces)
     text = HEAD.format(
         title=title or f"{name}.", name=name, fields=_fields(parameters),
         coordinates=tuple(str(s) for s in coordinates), surfaces=tuple(slips),
@@ -236,56 +236,6 @@ def _row(surface: str, slip: Any, q: Any, qd: Any) -> list[Any]:
             "function of the coordinates, or a velocity linear in the speeds"
         )
     return list(row)
-
-
-def _check_names(name: str, symbols: Sequence[Any], slips: Mapping[str, Any]) -> None:
-    for word in (name, *map(str, symbols)):
-        if not re.fullmatch(r"[A-Za-z_]\w*", word) or keyword.iskeyword(word):
-            raise ValueError(f"{word!r} is no name that code can use; take letters, digits and _")
-        if hasattr(Device, word):
-            raise ValueError(
-                f"{word!r} is a name that every device has for something else; take another for "
-                "the symbol, e.g. mass"
-            )
-    if not all(isinstance(s, str) for s in slips):
-        raise ValueError("slips: the keys are the names of the surfaces, as text")
-
-
-def _check_fields(parameters: Mapping[Any, Any]) -> None:
-    """No parameter may take a name that the body of the class itself uses."""
-    for word in map(str, parameters):
-        if word in ("parameter", "float", "bool", "str", "tuple", "ClassVar", "staticmethod"):
-            raise ValueError(f"{word!r} is a name that the code uses; take another, e.g. {word}_1")
-
-
-def _check_locals(bindings: Mapping[Any, str], methods: Sequence[str], pieces: Sequence) -> None:
-    """No symbol may hide what the methods use: results, arrays not yet read, mathematics."""
-    import sympy as sp
-
-    used = {"out"} | set(re.findall(r"(\w+)\(", "".join(methods)))
-    for _, _, expressions, _ in pieces:
-        for constant in sp.Matrix([expressions]).atoms(sp.NumberSymbol):
-            used.add(sp.pycode(constant, fully_qualified_modules=False))
-    hidden: set[str] = set()
-    for symbol, place in bindings.items():
-        if place.partition("[")[0] in hidden or str(symbol) in used:
-            word = place.partition("[")[0] if str(symbol) not in used else str(symbol)
-            raise ValueError(
-                f"{word!r} is a name that the code uses; take another for the symbol, e.g. {word}_1"
-            )
-        hidden.add(str(symbol))
-
-
-def _check_symbols(expressions: Sequence[Any], known: Sequence[Any]) -> None:
-    import sympy as sp
-
-    used = set().union(*(sp.sympify(e).free_symbols for e in expressions))
-    unknown = sorted(map(str, used - set(known)))
-    if unknown:
-        raise ValueError(
-            f"unknown symbols {', '.join(unknown)}; known are {', '.join(map(str, known))}; "
-            "declare the others in parameters={symbol: (dimension, value)}"
-        )
 
 
 def _fields(parameters: Mapping[Any, tuple[str, float]]) -> str:

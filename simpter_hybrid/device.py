@@ -7,6 +7,9 @@ from typing import ClassVar
 
 from .part import Part
 
+#: What a coordinate may measure.
+COORDINATE_KINDS = ("angle", "length")
+
 
 @dataclass(frozen=True)
 class Device(Part):
@@ -36,7 +39,7 @@ class Device(Part):
     """
 
     coordinates: ClassVar[tuple[str, ...]] = ()
-    #: ``"angle"`` or ``"length"`` for every coordinate; empty: all are angles.
+    #: One of ``COORDINATE_KINDS`` for every coordinate; empty: all are angles.
     coordinate_dimensions: ClassVar[tuple[str, ...]] = ()
     surfaces: ClassVar[tuple[str, ...]] = ()
     #: Whether the clutch map is the same in every configuration.
@@ -79,6 +82,28 @@ class Device(Part):
             BACKWARD -1, STICK 0, FORWARD 1, FREE 2.
         """
         return ""
+
+
+def wrong_dimensions(given: object, count: int) -> tuple[str, str] | None:
+    """What is wrong with ``coordinate_dimensions``, and what would be right; None if nothing is.
+
+    Parameters
+    ----------
+    given : object
+        As a device has them.
+    count : int
+        Coordinates.
+    """
+    each = f"for each of {count} coordinates {' or '.join(map(repr, COORDINATE_KINDS))}"
+    right = f"a tuple with {each}; or an empty one if all are angles"
+    if not isinstance(given, tuple | list):
+        return "not a tuple", right
+    unknown = [word for word in given if word not in COORDINATE_KINDS]
+    if unknown:
+        return f"{unknown[0]!r} is nothing that a coordinate measures", right
+    if given and len(given) != count:
+        return f"{len(given)} for {count} coordinate{'s' if count != 1 else ''}", right
+    return None
 
 
 def surface_word(unit: str) -> str:

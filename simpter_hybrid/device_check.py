@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .device import Device
+from .device import Device, wrong_dimensions
 from .part import arguments_of
 
 #: What a device has to define, with the arguments and the length of what it writes.
@@ -44,11 +44,11 @@ class DeviceFinding(NamedTuple):
 def check_device(device: Device, poses: Sequence[Sequence[float]] = ()) -> list[DeviceFinding]:
     """Findings about a device at the poses given (and eight drawn ones), empty if it is sound.
 
-    Checks shapes (every entry written, none beyond), finite numbers, a symmetric and positive
-    definite mass matrix, velocity terms that belong to it (the Christoffel terms, nothing odd in
-    the speeds), damping that never gives energy, a clutch map's rate against differences of the
-    map, conservative forces against their potential, and the tip's Jacobian and its rate against
-    differences of the tip.
+    Checks what coordinates are said to measure, shapes (every entry written, none beyond), finite
+    numbers, a symmetric and positive definite mass matrix, velocity terms that belong to it (the
+    Christoffel terms, nothing odd in the speeds), damping that never gives energy, a clutch map's
+    rate against differences of the map, conservative forces against their potential, and the tip's
+    Jacobian and its rate against differences of the tip.
 
     Parameters
     ----------
@@ -74,11 +74,13 @@ def check_device(device: Device, poses: Sequence[Sequence[float]] = ()) -> list[
 
 
 def _signatures(device: Device) -> list[DeviceFinding]:
-    functions = device.functions()
+    functions, kinds = device.functions(), device.coordinate_dimensions
     found = []
     if not device.coordinates:
         right = "a tuple of names, one a coordinate"
         found.append(DeviceFinding("coordinates", "there is none", (), right))
+    if wrong := wrong_dimensions(kinds, device.n):
+        found.append(DeviceFinding("coordinate_dimensions", wrong[0], kinds, wrong[1]))
     for name, (arguments, _) in (FUNCTIONS | OPTIONAL).items():
         if name not in functions:
             if name in FUNCTIONS:

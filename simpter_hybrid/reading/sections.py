@@ -12,7 +12,7 @@ from ..applied_load import Load
 from ..checks.effect_check import place_of
 from ..clutch import Clutch
 from ..controller import Controller
-from ..device import Device
+from ..device import Device, wrong_dimensions
 from ..devices.pter import Pter
 from ..effect import Effect
 from ..units import format_quantity, parse_quantity
@@ -42,7 +42,7 @@ def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[s
     if isinstance(found, type):
         defaults = pter_defaults() if issubclass(found, Pter) else {}
         made = build(table, found, Context(folder, defaults=defaults))
-        return read_additions(table, made), {}  # type: ignore[arg-type]
+        return read_additions(table, _measured(table, made)), {}  # type: ignore[arg-type]
     given = {key: table.raw(key) for key in table.data if key not in ("kind", KEY, NUMBERS)}
     try:
         device = found(**given)
@@ -53,6 +53,8 @@ def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[s
     if not isinstance(device, Device):
         table.problem("kind", f"the function returned a {type(device).__name__}", "a Device")
         return None, {}
+    if _measured(table, device) is None:
+        return None, {}
     kind = table.data["kind"]
     notes = {
         "device": {"kind": kind, **given},
@@ -60,6 +62,15 @@ def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[s
         "device modules": texts_beside(found, kind.partition(":")[0]),
     }
     return read_additions(table, read_numbers(table, device)), notes
+
+
+def _measured(table: TableReader, device: Any) -> Any:
+    """The device, if it says what its coordinates measure: by that all other sections are read."""
+    wrong = device and wrong_dimensions(device.coordinate_dimensions, device.n)
+    if not wrong:
+        return device
+    said = f"{type(device).__name__}.coordinate_dimensions {device.coordinate_dimensions}"
+    return table.problem("kind", f"{said}: {wrong[0]}", wrong[1])
 
 
 def read_clutches(root: TableReader, device: Device | None, folder: Path) -> tuple[Clutch, ...]:
