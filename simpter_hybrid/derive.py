@@ -11,7 +11,19 @@ from hashlib import sha256
 from types import ModuleType
 from typing import Any
 
-from .derive_check import check_dimensions, check_fields, check_locals, check_names, check_symbols
+from .derive_check import (
+    check_dimensions,
+    check_fields,
+    check_functions,
+    check_kinetic,
+    check_locals,
+    check_names,
+    check_real,
+    check_symbols,
+    check_without_speeds,
+    escaped,
+    not_written,
+)
 from .device import Device
 
 #: A method to be written: its name, its arguments, what it computes and what is said of that.
@@ -80,8 +92,9 @@ def derive_text(
     Raises
     ------
     ValueError
-        If a symbol is not declared, the kinetic energy is not quadratic, a slip velocity is not
-        linear in the speeds, or a coordinate is said to measure something else.
+        If a symbol is not declared, the kinetic energy is not quadratic, potential or tip depend on
+        speeds, a slip velocity is not linear in them, a coordinate is said to measure something
+        else, or an expression cannot be written as code.
     """
     import sympy as sp
 
@@ -92,7 +105,10 @@ def derive_text(
     check_fields(parameters)
     check_dimensions(dimensions, len(q))
     check_symbols([kinetic, potential, *slips.values(), *tip], [*q, *qd, *parameters])
+    check_without_speeds("potential", [potential], speeds)
+    check_without_speeds("tip", tip, speeds)
     motion = lagrange(sp.sympify(kinetic), q, qd)
+    check_kinetic(sp.sympify(kinetic), speeds)
     C = sp.Matrix([_row(surface, slip, q, qd) for surface, slip in slips.items()])
     if not slips:
         C = sp.zeros(0, len(q))
@@ -111,7 +127,7 @@ def derive_text(
     methods = [_method(piece, bindings) for piece in pieces]
     check_locals(bindings, methods, pieces)
     text = HEAD.format(
-        title=title or f"{name}.", name=name, fields=_fields(parameters),
+        title=escaped(title or f"{name}."), name=name, fields=_fields(parameters),
         coordinates=tuple(str(s) for s in coordinates), surfaces=tuple(slips),
         dimensions=tuple(dimensions), constant=not C.free_symbols & set(q),
     )  # fmt: skip
@@ -128,7 +144,14 @@ def _method(piece: Piece, bindings: Mapping[Any, str]) -> str:
     into = "" if name == "potential_energy" else "out"
     outputs = tuple(expressions) or (sp.S.Zero,)
     arguments = (*arguments, *((into,) if into else ()))
-    made = function_text(Function(name, arguments, doc, bindings, outputs, into))
+    check_real(name, outputs)
+    try:
+        made = function_text(Function(name, arguments, doc, bindings, outputs, into))
+    except NotImplementedError as error:  # SymPy's printer ends its first line with what it is
+        raise not_written(name, str(error).split("\n")[0].rpartition(": ")[2]) from None
+    except ValueError:  # so the printer answers to one of what it does not know
+        raise not_written(name, "a derivative that SymPy leaves undone") from None
+    check_functions(name, made)
     return "\n    @staticmethod\n" + textwrap.indent(made, "    ")
 
 

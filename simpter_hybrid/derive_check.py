@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import keyword
+import math
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .device import Device, wrong_dimensions
+
+#: What code may call beside ``math``.
+BUILT_IN = ("abs", "min", "max")
 
 
 def check_dimensions(dimensions: Sequence[str], count: int) -> None:
@@ -58,12 +62,80 @@ def check_locals(bindings: Mapping[Any, str], methods: Sequence[str], pieces: Se
 
 def check_symbols(expressions: Sequence[Any], known: Sequence[Any]) -> None:
     """No symbol that is neither a coordinate, nor a speed, nor a parameter."""
-    import sympy as sp
-
-    used = set().union(*(sp.sympify(e).free_symbols for e in expressions))
-    unknown = sorted(map(str, used - set(known)))
+    unknown = sorted(map(str, _symbols(expressions) - set(known)))
     if unknown:
         raise ValueError(
             f"unknown symbols {', '.join(unknown)}; known are {', '.join(map(str, known))}; "
             "declare the others in parameters={symbol: (dimension, value)}"
         )
+
+
+def check_without_speeds(name: str, expressions: Sequence[Any], speeds: Sequence[Any]) -> None:
+    """No speed in what depends on the pose alone."""
+    found = sorted(map(str, _symbols(expressions) & set(speeds)))
+    if found:
+        raise ValueError(
+            f"{name}: it depends on the speeds {', '.join(found)}, got {list(expressions)}; "
+            "write it in coordinates and parameters alone (what damps is an effect or drag)"
+        )
+
+
+def _symbols(expressions: Sequence[Any]) -> set[Any]:
+    import sympy as sp
+
+    return set().union(*(sp.sympify(e).free_symbols for e in expressions))
+
+
+def check_kinetic(kinetic: Any, speeds: Sequence[Any]) -> None:
+    """No part of a kinetic energy that is there at rest, or linear in the speeds.
+
+    Its second derivatives are known to be free of speeds: they tell nothing of such parts.
+    """
+    import sympy as sp
+
+    rest = dict.fromkeys(speeds, 0)
+    still = sp.simplify(kinetic.subs(rest))
+    if still != 0:
+        raise ValueError(
+            f"kinetic energy: not quadratic in the speeds, {still} is there at rest; take it out "
+            "and add it to potential with the other sign"
+        )
+    for speed in speeds:
+        slope = sp.simplify(kinetic.diff(speed).subs(rest))
+        if slope != 0:
+            raise ValueError(
+                f"kinetic energy: not quadratic in the speeds, {slope * speed} is linear in "
+                f"{speed}; a device has no forces of that kind: take it out"
+            )
+
+
+def check_real(name: str, expressions: Sequence[Any]) -> None:
+    """Numbers that are real and finite."""
+    import sympy as sp
+
+    for each in map(sp.sympify, expressions):
+        if each.has(sp.I, sp.nan, sp.zoo, sp.oo, -sp.oo):
+            raise ValueError(f"{name}: {each} is not a finite real number; write it without I, oo")
+
+
+def check_functions(name: str, text: str) -> None:
+    """Nothing is called in a method that Python's ``math`` has not."""
+    known = {*vars(math), *BUILT_IN, name}
+    for called in re.findall(r"(\w+)\(", text):
+        if called not in known:
+            raise not_written(name, called)
+
+
+def not_written(name: str, what: str) -> ValueError:
+    """The error that a function cannot be written as code."""
+    return ValueError(
+        f"{name}: {what} cannot be written as code; use functions of Python's math, Min, Max and "
+        "Piecewise, and Abs of symbols that are declared real (sympy.symbols(..., real=True))"
+    )
+
+
+def escaped(title: str) -> str:
+    """A title as it may stand in a text between three quotes."""
+    text = title.replace("\\", "\\\\")
+    quoted = '"""' in text or text.endswith('"')
+    return text.replace('"', '\\"') if quoted else text
