@@ -95,6 +95,7 @@ def request_of(args: argparse.Namespace) -> Request:
     return Request(
         args.scenario, args.vary, args.out, args.set, args.cases, args.sample, args.method,
         args.seed, args.engine, args.measures, args.step, args.jobs, args.chunk,
+        args.show or (),
     )  # fmt: skip
 
 
@@ -125,6 +126,9 @@ def draw(plan: Plan, table: Table, args: argparse.Namespace) -> None:
     from ..plots.sweep import sweep_figures
     from ..sweeps.results import write_whole
 
+    for name in args.show or ():
+        if name not in table.measures:
+            print(f"--show {name}: no case has it, it is not drawn", file=sys.stderr)
     display = DISPLAYS[args.units or plan.scenario.notes.get("units", "SI")]
     for name, picture in sweep_figures(table, display, args.show).items():
         write_whole(plan.directory.path / f"{name}.png", png(picture))

@@ -16,8 +16,8 @@ from .style import BLUE, GREY, INK, ORANGE, PALE, VERMILION, figure, styled
 
 #: Measures drawn where none are named, if there are any of them and they vary.
 DRAWN = ("average_error", "average_jerk", "run_time", "transitions", "max_error", "events")
-#: Panels of one picture, at most.
-PANELS = 6
+#: Panels of one picture, and rows of a scatter, at most where no measures are named.
+PANELS, SCATTERED = 6, 4
 
 
 def sweep_figures(
@@ -31,12 +31,13 @@ def sweep_figures(
     display : Display
         Units of the measures.
     show : sequence of str, optional
-        Measures to draw.
+        Measures to draw; those that no case has are left out.
     """
     names = [name for name in (show or varying(table)) if name in table.measures]
     if not show:
         preferred = [name for name in DRAWN if name in names]
         names = (preferred + [n for n in names if n not in preferred])[:PANELS]
+    scattered = names if show else names[:SCATTERED]
     if not names:
         return {}
     grid = table.design.grid
@@ -48,9 +49,9 @@ def sweep_figures(
         made = {"maps": maps(table, names, display)}
     elif len(grid) == 1 and numeric:
         made = {"bands": bands(table, names, display),
-                "scatter": scatter(table, names[:4], display)}  # fmt: skip
+                "scatter": scatter(table, scattered, display)}  # fmt: skip
     else:
-        made = {"scatter": scatter(table, names[:4], display)}
+        made = {"scatter": scatter(table, scattered, display)}
     if table.design.saltelli:
         made["sobol"] = sobol(table, names, display)
     return made

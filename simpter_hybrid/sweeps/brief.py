@@ -33,6 +33,14 @@ FEWEST = 3
 STEPPED = (
     "average_error", "max_error", "path_length", "average_acceleration", "average_jerk", "max_jerk"
 )  # fmt: skip
+#: Of ``STEPPED`` what a tip alone has.
+OF_A_TIP = ("average_error", "max_error", "path_length")
+#: What ``brief`` takes besides those of a tip and of single clutches.
+BRIEF = (
+    "run_time", "events", "average_acceleration", "average_jerk", "max_jerk", "transitions",
+    "reversals", "energy_from_user",
+)  # fmt: skip
+PER_CLUTCH = ", per clutch"
 #: Unit and words for what ``Metrics`` does not name.
 MORE = {
     "events": ("", "events"),
@@ -152,5 +160,26 @@ def unit_and_label(name: str, device: Device | None = None) -> tuple[str, str]:
     known = {f.name: (f.metadata["unit"], f.metadata["label"]) for f in told} | MORE
     unit, label = known.get(stem, ("", stem.replace("_", " ")))
     unit, label = as_measured(unit, label, device)
-    label = label.removesuffix(", per clutch")
+    label = label.removesuffix(PER_CLUTCH)
     return unit, f"{label}, clutch {number}" if number else label
+
+
+def measure_names(measures: str, device: Device) -> list[str]:
+    """Names of the measures that runs of a device can have.
+
+    Parameters
+    ----------
+    measures : str
+        ``brief`` or ``all``.
+    device : Device
+    """
+    clutches = range(1, device.m + 1)
+    if measures == "brief":
+        tip = OF_A_TIP if "tip" in device.functions() else ()
+        return [*BRIEF, *tip, *(f"saturation_time.{i}" for i in clutches)]
+    names = ["events"]
+    for f in fields(Metrics):
+        if f.metadata:
+            each = f.metadata["label"].endswith(PER_CLUTCH)
+            names += [f"{f.name}.{i}" for i in clutches] if each else [f.name]
+    return names

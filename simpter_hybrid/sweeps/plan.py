@@ -10,11 +10,12 @@ from ..engines import ENGINES
 from ..files.scenario_text import resolve
 from ..measuring.metrics import instants
 from ..problems import CompiledUnavailable, InvalidInput, Problem, Problems
+from ..reading.reader import one_of
 from ..scenario import Scenario
 from ..units import QuantityError, parse_quantity
 from .axis import Axis, axis_of, listed, number_of, quantity_text, read_axis
 from .base import Base, base_of, content, fingerprint
-from .brief import FEWEST, OwnMeasure
+from .brief import FEWEST, OwnMeasure, measure_names
 from .case import case_name
 from .code_version import code_version
 from .design import Design, design, read_cases
@@ -51,6 +52,7 @@ class Request:
     step: float | str = 1e-3
     jobs: int = 1
     chunk: int | None = None
+    show: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
@@ -104,7 +106,7 @@ def make_plan(request: Request, more: Sequence[Problem] = ()) -> Plan:
     try:
         base = base_of(request.scenario, request.overrides)
         scenario = base.scenario()
-        more += _check_engine(request.engine, scenario)
+        more += _check_engine(request.engine, scenario) + _check_shown(request, scenario)
         if found is None or END not in found.paths:
             more += _check_step(step, scenario, request)
         if found is not None:
@@ -226,6 +228,19 @@ def _check_step(step: float, scenario: Scenario, request: Request) -> list[Probl
         right = f"a step of at most {t_end / (FEWEST - 1):g} s"
         return [Problem("--step", "", what, f"{step:g} s", right)]
     return []
+
+
+def _check_shown(request: Request, scenario: Scenario) -> list[Problem]:
+    """Problems of measures that are to be drawn; names of one's own are known when they come."""
+    if request.measures not in MEASURES:
+        return []
+    names = measure_names(request.measures, scenario.device)  # type: ignore[arg-type]
+    what = f"no measure of --measures {request.measures}"
+    return [
+        Problem("--show", "", what, f'"{name}"', one_of(names, name))
+        for name in request.show
+        if name not in names
+    ]
 
 
 def _check_engine(engine: str, scenario: Scenario) -> list[Problem]:
