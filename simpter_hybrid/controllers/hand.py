@@ -30,7 +30,9 @@ def late(mem, ring, k, value, delay, passed):
         In the unit of ``value``; 0 before the first.
     """
     mem[ring + k % 64] = value
-    back = int(delay / passed + 0.5) if passed > 0.0 else 0
+    # At the first sample no time has passed: any delay reaches to before it.
+    earlier = 1 if delay > 0.0 else 0
+    back = int(delay / passed + 0.5) if passed > 0.0 else earlier
     back = min(max(back, 0), 63)
     return mem[ring + (k - back) % 64] if k >= back else 0.0
 
