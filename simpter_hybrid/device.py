@@ -94,8 +94,8 @@ def wrong_dimensions(given: object, count: int) -> tuple[str, str] | None:
     count : int
         Coordinates.
     """
-    each = f"for each of {count} coordinates {' or '.join(map(repr, COORDINATE_KINDS))}"
-    right = f"a tuple with {each}; or an empty one if all are angles"
+    each = " or ".join(map(repr, COORDINATE_KINDS))
+    right = f"a tuple of {count}, each {each}; or an empty one if all are angles"
     if not isinstance(given, tuple | list):
         return "not a tuple", right
     unknown = [word for word in given if word not in COORDINATE_KINDS]

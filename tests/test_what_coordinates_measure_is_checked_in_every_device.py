@@ -47,7 +47,7 @@ def test_a_check_finds_it(kinds):
     (found,) = check_device(pair(eval(kinds)))
     assert found.array == "coordinate_dimensions"
     assert WRONG[kinds] in found.what
-    assert "for each of 2 coordinates 'angle' or 'length'" in found.right
+    assert "a tuple of 2, each 'angle' or 'length'" in found.right
 
 
 def test_none_and_a_mixture_are_sound():
@@ -81,5 +81,5 @@ def test_a_scenario_made_in_python_is_checked_as_well():
 @pytest.mark.parametrize("dimensions", [("lenght",), ("length", "angle"), "length"])
 def test_no_device_is_derived_with_them(dimensions):
     x, v, m = sp.symbols("x v m_0")
-    with pytest.raises(ValueError, match=r"dimensions: .*for each of 1 coordinates"):
+    with pytest.raises(ValueError, match=r"dimensions: .*a tuple of 1, each"):
         derive_text("One", [x], [v], m * v**2 / 2, {}, {m: ("mass", 1.0)}, dimensions=dimensions)
