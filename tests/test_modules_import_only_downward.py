@@ -15,7 +15,8 @@ LAYERS = (
     {"known_units", "scenarios"},
     {"part", "units", "problems", "device", "clutch", "controller", "applied_load", "effect",
      "stop", "engines", "trajectory", "interpolation", "progress"},
-    {"kernel", "assembly", "laws", "scenario", "lowering", "device_check"},
+    {"kernel", "assembly", "laws", "scenario", "lowering", "device_check",
+     "derive_check"},
     {"running", "machine_code", "checks", "regularised", "engine", "compiled", "karnopp", "noise",
      "derive", "devices", "controllers", "loads", "effects"},
     # What a run tells, many runs at once, rigs that are run.
