@@ -1,4 +1,4 @@
-"""A sweep takes up results of the same measure alone: what it is bound to and its module count."""
+"""A case of a sweep that ends before three instants of its step has no averages, not zeros."""
 
 import pytest
 from devices_for_tests import Block, always_on
