@@ -3,10 +3,14 @@ from dataclasses import replace
 import numpy as np
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
+from simpter_hybrid.identification.effect_signals import Imitation
 from simpter_hybrid.identification.fitting.fit import Fitter
-from simpter_hybrid.identification.fitting.identifiability import VISIBLE, visibility
+from simpter_hybrid.identification.fitting.identifiability import (
+    VISIBLE,
+    least_visible,
+    visibility,
+)
 from simpter_hybrid.identification.fitting.residual import weighted_residuals
-from simpter_hybrid.identification.identifiability_report import Imitation
 from simpter_hybrid.identification.recordings.projection import beyond
 
 VALUES = {"scale": 1.0}
@@ -20,7 +24,8 @@ def _asked(candidate, size, unit=1.0):
     own = {candidate.parameters[0].name: size}
     change = weighted_residuals(rig.extended(candidate), {**VALUES, **own}, runs) - at
     columns = Fitter(rig, runs).jacobian(VALUES, Fitter(rig, runs).residuals(VALUES))[: at.size]
-    return change, columns, Imitation(rig, VALUES, runs, at, columns, unit)
+    least = unit * least_visible(at.size)
+    return change, columns, Imitation(rig, VALUES, runs, at, columns, least)
 
 
 def test_a_scale_of_the_declared_force_by_another_name_goes_unseen():

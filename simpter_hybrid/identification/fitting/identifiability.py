@@ -97,6 +97,11 @@ def visibility(change: np.ndarray) -> float:
     return float(np.sqrt(1.0 + change @ change / change.size) - 1.0)
 
 
+def least_visible(count: int) -> float:
+    """Size of a signal that raises the error of so many residuals by `VISIBLE`."""
+    return float(np.sqrt(((1.0 + VISIBLE) ** 2 - 1.0) * count))
+
+
 def blind_to(signals: Mapping[str, np.ndarray]) -> tuple[str, ...]:
     """Effects that these experiments would not show at their typical size."""
     return tuple(name for name, change in signals.items() if visibility(change) < VISIBLE)
