@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import product
 from typing import NamedTuple
 
@@ -192,11 +193,19 @@ def _run(replay: Replay, most: int) -> _Run:
 
 
 def _high_pass(values: np.ndarray, step: float, frequency: float, damping: float) -> np.ndarray:
-    from scipy.signal import bilinear, lfilter
+    from scipy.signal import lfilter
+
+    return lfilter(*_high_pass_filter(step, frequency, damping), values)
+
+
+@lru_cache(maxsize=4096)  # all that is tried is tried on each run
+def _high_pass_filter(
+    step: float, frequency: float, damping: float
+) -> tuple[np.ndarray, np.ndarray]:
+    from scipy.signal import bilinear
 
     rate = 2.0 / step * np.tan(np.pi * frequency * step)  # as the bilinear rule warps it
-    above, below = bilinear([1.0, 0.0, 0.0], [1.0, 2.0 * damping * rate, rate**2], 1.0 / step)
-    return lfilter(above, below, values)
+    return bilinear([1.0, 0.0, 0.0], [1.0, 2.0 * damping * rate, rate**2], 1.0 / step)
 
 
 def _line(replays: Sequence[Replay], highest: float) -> Flexible | None:
