@@ -59,16 +59,18 @@ class Evaluation:
         """Modes of the clutches in the segment entered."""
         return tuple(self.w.mode[: self.md.m])
 
-    def enter(self, segment: int) -> None:
-        """Take over modes, gates and held inputs of a segment."""
+    def enter(self, segment: int, start: list[float] | None = None) -> None:
+        """Take over modes, gates and held inputs of a segment; `start` is its state if known."""
         run, w = self.trajectory, self.w
         for name, rows in (
             ("mode", run.mode), ("gate", run.gate), ("held", run.held), ("dmode", run.dmode)
         ):  # fmt: skip
             values = rows[segment].tolist()
             getattr(w, name)[: len(values)] = values
-        start = run.segment_t[segment, :1]
-        self.prepare(states(run, start, np.array([segment]))[0].tolist())
+        if start is None:
+            begins = run.segment_t[segment, :1]
+            start = states(run, begins, np.array([segment]))[0].tolist()
+        self.prepare(start)
 
     def prepare(self, y: list[float]) -> int:
         """Prepare for the modes in ``w`` at the configuration of ``y``; returns a kernel status."""

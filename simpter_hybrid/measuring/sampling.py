@@ -140,10 +140,12 @@ def _evaluate(
     """The columns that take the model, one instant after the other."""
     view = Evaluation(trajectory)
     rows: list[dict] = []
+    another = segment[np.flatnonzero(np.diff(segment, prepend=-1))]
+    starts = iter(states(trajectory, trajectory.segment_t[another, 0], another).tolist())
     entered = -1
     for time, k, state in zip(t.tolist(), segment.tolist(), y.tolist(), strict=True):
         if k != entered:
-            view.enter(k)
+            view.enter(k, next(starts))
             entered = k
         rows.append(_row(view, time, view.at(time, state)))
     columns = {name: np.array([row[name] for row in rows]) for name in rows[0]} if rows else {}

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from ..kernel.records import BACKWARD, FORWARD
 from ..trajectory import Trajectory
-from .evaluation import Evaluation
+from .evaluation import Evaluation, states
 
 
 @dataclass(frozen=True)
@@ -51,12 +53,14 @@ def transitions(trajectory: Trajectory) -> Transitions:
     reversals = [0] * m
     last: tuple[int, ...] | None = None
     known: dict[tuple[int, ...], list[bool]] = {}
+    begins = trajectory.segment_t[:, 0]
+    starts = states(trajectory, begins, np.arange(begins.size)).tolist()
     for k, (start, end) in enumerate(trajectory.segment_t.tolist()):
         if end <= start:
             continue
         mode = tuple(trajectory.mode[k].tolist())
         if mode not in known or not view.md.constant:
-            view.enter(k)
+            view.enter(k, starts[k])
             known[mode] = view.at_rest()
         for i, rests in enumerate(known[mode]):
             if rests and flat[i] and flat[i][-1][1] == start:

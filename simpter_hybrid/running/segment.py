@@ -153,6 +153,11 @@ class KeptGuards:
             found = self.cache[key] = self.run.guard_values(t, y)
         return found
 
+    def chosen(self, t, y, which):
+        """Values of the guards ``which`` at ``t`` [s]."""
+        found = self.values(t, y)
+        return [found[k] for k in which]
+
     def event(self, k):
         """Guard ``k`` as an event of ``solve_ivp``."""
 
@@ -201,7 +206,7 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
             atol=run.scenario.atol,
             max_step=run.scenario.max_step,
             first_step=first if first < span else span,
-            guard_values=lambda t, y: [kept.values(t, y)[k] for k in active],
+            guard_values=lambda t, y: kept.chosen(t, y, active),
             start_values=[start[k] for k in active],
             owner=owner,
         )
