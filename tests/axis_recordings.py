@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -86,6 +87,8 @@ role = "measured"
 #: Lines of three takes of nothing in particular, as that map has them.
 ROWS = ["take,ms,angle,torque", *(f"{n},{k},{k % 7},{k % 5}" for n in range(3) for k in range(60))]
 NEWTON_METRES = 0.1129848290276167
+#: When the rows of `recorded_axis` are [s].
+TIMES = np.arange(0.0, 4.0, 0.004)
 
 
 def written(folder: Path, rows: Sequence[str], described: str) -> Recording:
@@ -115,25 +118,36 @@ def recorded_axis(
     ``told`` is one that a driver was told.  `friction` and `inertia` are those of each take, over
     the declared.
     """
-    lacking = replace(declared_axis(), effects=tuple(effects), controllers=())
     generator = np.random.default_rng(2)
-    times, rows = np.arange(0.0, 4.0, 0.004), ["take,ms,angle,torque,rate"]
+    rows = ["take,ms,angle,torque,rate"]
     for take in range(3):
-        acts = 0.9 * np.sin((2.0 + 0.5 * take) * times) + 0.4 * np.sin(5.3 * times + take)
-        load = RecordedForce(tuple(zip(times.tolist(), acts.tolist(), strict=True)), coordinate=0)
-        own = {
-            "clutch.1.torque.coulomb": 0.2 * friction[take],
-            "device.inertia": 0.02 * inertia[take],
-        }
-        model = with_parameters(lacking, own)
-        made = sample(simulate(replace(model, loads=(load,), t_end=4.0)), times)
-        q = made.q[:, 0] + generator.normal(0.0, 2e-4, times.size)
-        w = made.qd[:, 0] + generator.normal(0.0, rate_noise or 0.0, times.size)
+        moved = _motion(MODEL, tuple(effects), take, friction[take], inertia[take])
+        q = moved[0] + generator.normal(0.0, 2e-4, TIMES.size)
+        w = moved[1] + generator.normal(0.0, rate_noise or 0.0, TIMES.size)
         rows += [
             f"{take},{1e3 * t:.1f},{-np.degrees(a):.5f},{u / NEWTON_METRES:.6f},{-v:.6f}"
-            for t, a, u, v in zip(times, q, shown(acts), w, strict=True)
+            for t, a, u, v in zip(TIMES, q, shown(_driven(take)), w, strict=True)
         ]
     described = MAP if rate_noise is None else MAP + SPEED
     if drive == "told":
         described = described.replace("channels.torque", "channels.drive")
     return written(folder, rows, described)
+
+
+def _driven(take: int) -> np.ndarray:
+    """Torque on the axis in a take [N m]."""
+    return 0.9 * np.sin((2.0 + 0.5 * take) * TIMES) + 0.4 * np.sin(5.3 * TIMES + take)
+
+
+@lru_cache  # most files ask for the same few
+def _motion(
+    declared: str, effects: tuple[Effect, ...], take: int, friction: float, inertia: float
+) -> np.ndarray:
+    """Angles and speeds (2, rows) in a take of an axis with `effects`; to be left as they are."""
+    acts = _driven(take)
+    load = RecordedForce(tuple(zip(TIMES.tolist(), acts.tolist(), strict=True)), coordinate=0)
+    lacking = replace(parse(declared), effects=effects, controllers=())
+    own = {"clutch.1.torque.coulomb": 0.2 * friction, "device.inertia": 0.02 * inertia}
+    model = with_parameters(lacking, own)
+    made = sample(simulate(replace(model, loads=(load,), t_end=4.0)), TIMES)
+    return np.array([made.q[:, 0], made.qd[:, 0]])
