@@ -1,5 +1,7 @@
 """Two joints: a window that starts beside a lone speed sample starts as the others do."""
 
+from copy import deepcopy
+
 import numpy as np
 import pytest
 from two_joints import declared_joints, recorded_joints
@@ -12,13 +14,18 @@ START, BESIDE = 100, (97, 100, 103)
 NOISE = 0.01
 
 
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory):
+    return recorded_joints(tmp_path_factory.mktemp("joints"), declared_joints())
+
+
 @pytest.fixture
-def runs(tmp_path):
+def runs(recorded):
     """Starts of a run with a little noise of its speeds, and of the same with a spike in a row."""
     noise = np.random.default_rng(5).normal(0.0, NOISE, (2, 400))
 
     def starts(spike, row):
-        recording = recorded_joints(tmp_path, declared_joints())
+        recording = deepcopy(recorded)
         for run in recording.runs:
             for j in range(2):
                 speed = run.channels[f"speed_{j + 1}"]
