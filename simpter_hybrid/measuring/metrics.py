@@ -160,8 +160,8 @@ def measures(trajectory: Trajectory, step: float = 1e-3) -> Metrics:
     if not step > 0.0:
         raise ValueError(f"the sampling step is {step} s; it has to be greater than 0 s")
     t_end = trajectory.t_end
-    uniform = sample(trajectory, instants(t_end, step))
     both = sample(trajectory, *output_grid(trajectory, step))
+    uniform = _among(both, trajectory, instants(t_end, step))
     size = np.linalg.norm(uniform.acceleration, axis=1)
     jerk = differences(uniform.t, uniform.acceleration)
     counted = transitions(trajectory)
@@ -185,6 +185,13 @@ def measures(trajectory: Trajectory, step: float = 1e-3) -> Metrics:
         energy_given_back=float(-np.minimum(np.diff(both.work_load), 0.0).sum()),
         device=trajectory.scenario.device,
     )
+
+
+def _among(samples: Samples, trajectory: Trajectory, times: np.ndarray) -> Samples:
+    """``sample(trajectory, times)``, from ``samples`` if all are among them (rounding may part)."""
+    right = np.flatnonzero(samples.side == "right")
+    rows = right[np.searchsorted(samples.t[right], times)]
+    return samples.rows(rows) if (samples.t[rows] == times).all() else sample(trajectory, times)
 
 
 def path_measures(scenario, points: np.ndarray | None) -> dict[str, float | None]:

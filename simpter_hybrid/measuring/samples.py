@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -90,6 +90,16 @@ class Samples:
     work_load: np.ndarray
     work_effects: np.ndarray
     dissipated: np.ndarray
+
+    def rows(self, rows: np.ndarray) -> Samples:
+        """The same at some of the instants, by their numbers."""
+
+        def part(values: Any) -> Any:
+            if isinstance(values, Mapping):
+                return {name: own[rows] for name, own in values.items()}
+            return None if values is None else values[rows]
+
+        return Samples(**{f.name: part(getattr(self, f.name)) for f in fields(self)})
 
     @property
     def tau_break(self) -> np.ndarray:
