@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
-from simpter_hybrid.identification import diagnosis
+from simpter_hybrid.identification import diagnosis, sought
 from simpter_hybrid.identification.doubted_channels import Doubt
 from simpter_hybrid.identification.map_changes import Times
 
@@ -16,14 +16,14 @@ EARLY = Doubt(Times(("position",), 57.3), 0.1)
     ("times", "kept"), [(2.5, (EARLY,)), pytest.param(1.5, (), marks=pytest.mark.slow)]
 )
 def test_it_is_asked_where_twice_the_floor_is_left(tmp_path, monkeypatch, times, kept):
-    found = diagnosis.with_curve_over_rest
+    found = sought.with_curve_over_rest
 
     def far_off(searched, levels, say):
         done, term = found(searched, levels, say)
         left = replace(done.corrected, select_error=times * done.floor)
         return replace(done, corrected=left), term
 
-    monkeypatch.setattr(diagnosis, "with_curve_over_rest", far_off)
+    monkeypatch.setattr(sought, "with_curve_over_rest", far_off)
     monkeypatch.setattr(diagnosis, "doubted_first", lambda *_: (EARLY,))
     monkeypatch.setattr(diagnosis, "doubted", lambda *_: ())
     told = diagnosis.diagnose(recorded_axis(tmp_path, ()), declared_axis(), [])

@@ -190,8 +190,10 @@ def measures(trajectory: Trajectory, step: float = 1e-3) -> Metrics:
 def _among(samples: Samples, trajectory: Trajectory, times: np.ndarray) -> Samples:
     """``sample(trajectory, times)``, from ``samples`` if all are among them (rounding may part)."""
     right = np.flatnonzero(samples.side == "right")
-    rows = right[np.searchsorted(samples.t[right], times)]
-    return samples.rows(rows) if (samples.t[rows] == times).all() else sample(trajectory, times)
+    found = np.searchsorted(samples.t[right], times)
+    rows = right[np.minimum(found, right.size - 1)] if right.size else found
+    there = right.size > 0 and bool((samples.t[rows] == times).all())
+    return samples.rows(rows) if there else sample(trajectory, times)
 
 
 def path_measures(scenario, points: np.ndarray | None) -> dict[str, float | None]:
