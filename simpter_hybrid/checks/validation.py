@@ -162,9 +162,11 @@ def _check_stages(s: Scenario, problems: Problems) -> None:
 def _check_made_for(s: Scenario, stage: Controller, path: KeyPath, problems: Problems) -> None:
     n, m = stage.made_for
     if n and (s.device.n != n or s.device.m < m):
-        what = f"{type(stage).__name__} is for devices of {n} coordinates and {m} clutches"
+        of_clutches = f" and {m} clutches" if m else ""
+        what = f"{type(stage).__name__} is for devices of {n} coordinates{of_clutches}"
         value = f"{s.device.n} coordinates and {s.device.m} clutches"
-        right = f"such a device (with more than {m} clutches too), or another stage"
+        more = f" (with more than {m} clutches too)" if m else ""
+        right = f"such a device{more}, or another stage"
         problems.add(path, what, value, right)
 
 

@@ -103,6 +103,7 @@ class HandAtTip(Controller):
     )  # fmt: skip
     uses: ClassVar[tuple] = (late, effort)
     kept_samples: ClassVar[int] = 64
+    made_for: ClassVar[tuple[int, int]] = (2, 0)
 
     @staticmethod
     def step(

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+from ..measuring.desired_path import Circle, Line
 from ..part import Part
 from ..reading import sensors
 from ..reading.additions import begun_with, changed_numbers, written
@@ -231,7 +232,8 @@ class _Writer:
             except (OSError, TypeError):  # of machine code there is none
                 self.imported[name] = ""
 
-    def path(self, path: Mapping[str, float]) -> dict[str, Any]:
+    def path(self, noted: Any) -> dict[str, Any]:
+        path = dataclasses.asdict(noted) if isinstance(noted, Line | Circle) else noted
         x, y = (format_quantity(path[k], "m") for k in ("x", "y"))
         if "radius" in path:
             radius = format_quantity(path["radius"], "m")
