@@ -60,17 +60,25 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
 
 
 def middle_of(replay: Replay) -> Restart | None:
-    """Start of the second half of a run: its middle window's.
+    """Start of the second half of a run: of the window that begins nearest the middle.
 
-    A run that is one window is halved at its middle, or not at all (None) if it is too short for
-    two.
+    Of what is compared, in time: windows are of unequal lengths, and few.  A run that is one window
+    is halved at its middle, or not at all (None) if it is too short for two.
     """
     if anew := replay.restarts or replay.followed:
-        return anew[len(anew) // 2]
+        middle = _middle_compared(replay)
+        return min(anew, key=lambda r: abs(float(replay.time[r.index]) - middle))
     if replay.time[-1] < 2.0 * WINDOW:
         return None
     k, s = replay.time.size // 2, AxisSignals()
     return Restart(k, float(replay.notes[s.position][k]), float(replay.notes[s.speed][k]))
+
+
+def _middle_compared(replay: Replay) -> float:
+    """Time halfway between the first and the last sample that is compared; of all if none is."""
+    kept = [o.keep for o in replay.observed.values() if o.keep.any()]
+    compared = replay.time[np.any(kept, axis=0)] if kept else replay.time
+    return float(compared[0] + compared[-1]) / 2.0
 
 
 def _part(seen: Observation, span: slice) -> Observation:

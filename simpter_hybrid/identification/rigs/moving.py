@@ -50,10 +50,17 @@ def check_moving(
         right = (
             f"over {_short(written(float(far[k])))}, {MOVES:g} deviations of the noise of "
             f"{positions[k]}{_rounds(recording.channels[positions[k]], float(far[k]))}, for what "
-            f"rests throughout tells no friction: another [split], or other `pieces`{other}"
+            f"rests throughout tells no friction: another [split], or other `pieces`"
+            f"{_until(parts[part])}{other}"
         )
         problems.add(("split", part), "no run of it moves as far as is asked", got, right)
     problems.raise_if_any()
+
+
+def _until(runs: Sequence[Replay]) -> str:
+    """Advice to leave out what follows a motion, where parts of a run are behind its end."""
+    later = any(run.before is not None for run in runs)
+    return ", or `until` under its [runs] if they have come to rest before they end" * later
 
 
 def _short(written: str) -> str:
