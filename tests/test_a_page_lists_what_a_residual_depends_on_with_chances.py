@@ -38,6 +38,26 @@ def test_where_nothing_is_named_the_best_candidate_is_called_by_its_name():
     assert "with what was found" not in table
 
 
+OPEN = FIRST | {"after": {"force": [_one("time", 0.5, 0.005)]}}
+
+
+def test_what_only_a_later_round_depends_on_is_listed_by_its_size():
+    unknown = {"before": OPEN["after"], "after": {"force": []}, "named": False, "best": None}
+    first, *others = dependence_table([OPEN, unknown]).split("<tr>")[2:]
+    cells = ("force, time", "-", "-", "50.0 %", "0.005")
+    assert first.startswith("".join(f"<td>{cell}</td>" for cell in cells))
+    assert len(others) == 2
+
+
+def test_what_the_search_went_on_with_and_the_verdict_does_not_name_is_not_found():
+    table = dependence_table([OPEN, REFUSED], named=False)
+    assert "with stribeck, which is not named" in table
+    assert "with what was found" not in table
+    assert "with stribeck and asymmetry, which are not" in dependence_table(
+        [OPEN, LAST], False, False
+    )
+
+
 def _ringing(gain, p_value):
     spectrum = {"centres": [8.0, 52.0], "added": [1.0, 1.0 / (1.0 - gain)], "scaled": [1.0, 9.0]}
     return {"ringing": [_one("breakaway", gain, p_value) | spectrum]}

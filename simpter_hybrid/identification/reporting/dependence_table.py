@@ -27,29 +27,32 @@ LOGGED = (
 )
 
 
-def dependence_table(rounds: Sequence[Mapping[str, Any]], straight: bool = False) -> str:
+def dependence_table(
+    rounds: Sequence[Mapping[str, Any]], straight: bool = False, named: bool = True
+) -> str:
     """Table of what the residual depends on, first and with what was found or is best.
 
-    `straight`: of an axis on which forces act, not torques.
+    `straight`: of an axis on which forces act, not torques.  `named`: whether the verdict names
+    what the rounds went on with.
     """
     if not rounds:
         return "<p>Nothing was looked for.</p>"
     last = rounds[-1]
-    found = last["named"] or len(rounds) > 1
-    left = last["before"] if found and not last["named"] else last["after"]
+    went_on = last["named"] or len(rounds) > 1
+    left = last["before"] if went_on and not last["named"] else last["after"]
     before, after = (_by_coordinate(one, straight) for one in (rounds[0]["before"], left))
     logged = _by_coordinate(rounds[0].get("logged", {}), straight)
     # They are asked of what a round begins with, and not of what its best candidate leaves.
     beside = _by_coordinate(last.get("logged", {}), straight) if left is last["before"] else {}
     head: tuple[str, ...] = ("residual of, along", "part of its mean square", "p")
-    if found:
-        head += ("with what was found", "p")
-    elif last["best"] is not None:
-        head += (f"with {last['best']}, which is not named", "p")
-    own = [name for name in before if name not in logged]
-    most = sorted(own, key=lambda name: -before[name]["gain"])[:DEPENDENCES]
+    if with_it := _with_what(rounds, named):
+        head += (with_it, "p")
+    # Each keeps its own few: what the last one depends on may have been hidden in the first.
+    shown = (before, after) if with_it else (before,)
+    own = [name for name in dict.fromkeys(n for one in shown for n in one) if name not in logged]
+    most = sorted(own, key=lambda n: -max(one[n]["gain"] for one in shown if n in one))
     rings, left_ringing = _rings(rounds[0]["before"]), _rings(left)
-    rows = [(name, *_part(before[name]), *_part(after.get(name))) for name in most]
+    rows = [(n, *_part(before.get(n)), *_part(after.get(n))) for n in most[:DEPENDENCES]]
     rows += [
         (f"{name} (logged)", *_part(d), *(_part(beside[name]) if name in beside else ("", "")))
         for name, d in logged.items()
@@ -59,6 +62,19 @@ def dependence_table(rounds: Sequence[Mapping[str, Any]], straight: bool = False
         rows.append((name, *_line(rings), *_line(left_ringing)))
     note = NOTE + (LOGGED if logged else "") + (RINGS if rings or left_ringing else "")
     return f"<p>{note}</p>{table(head, (row[: len(head)] for row in rows))}"
+
+
+def _with_what(rounds: Sequence[Mapping[str, Any]], named: bool) -> str:
+    """Head of the columns on what is left with an effect; "" where none came into question."""
+    believed = [one["best"] for one in rounds if one["named"]]
+    if believed and named:
+        return "with what was found"
+    if believed:
+        return (
+            f"with {' and '.join(believed)}, which {'are' * (len(believed) > 1) or 'is'} not named"
+        )
+    best = rounds[-1]["best"]
+    return "" if best is None else f"with {best}, which is not named"
 
 
 def _by_coordinate(balances: Mapping[str, Sequence[Any]], straight: bool) -> dict[str, Any]:

@@ -106,7 +106,7 @@ def _tables(data: Mapping[str, Any], model: str) -> list[str]:
         _paragraph(_refused(data["not_fitted"], bool(data["cut_short"]))),
         "" if data["trials"] else f"<p>{TRUST}</p>",
         "<h2>On what the residual depends</h2>",
-        dependence_table(data["rounds"], data["straight"]),
+        dependence_table(data["rounds"], data["straight"], bool(data["effects"])),
         _paragraph(by_curves_text(data)),
         "<h2>What these experiments see</h2>",
         sight_tables(data["sees"]),
