@@ -4,7 +4,7 @@ from types import SimpleNamespace as Some
 
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.tracing.limits import Limits
-from simpter_hybrid.identification.weighted_search import WeightedSearch
+from simpter_hybrid.identification.weighted_search import WeightedSearch, WeightedSearchResult
 
 
 def diagnosis(declared, corrected=None, best=None, names=("drag",)):
@@ -31,8 +31,8 @@ class Searching(WeightedSearch):
     def weighed_by(self, by, values, after=None):
         self.by.append(by)
         floors = Floors(1.0, 1.0, 1.0)
-        split = Some(select=None)
-        return Some(search=self.ends.pop(0), split=split, limit=Limits(form=1.2), floors=floors)
+        split, limit = Some(select=None), Limits(form=1.2)
+        return WeightedSearchResult(self.ends.pop(0), split, None, [], limit, 1.0, floors)
 
 
 class Cut(Searching):

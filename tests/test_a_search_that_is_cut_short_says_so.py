@@ -50,6 +50,15 @@ def test_a_reader_is_told_before_the_verdict():
     assert sentence == "As far as the search went: nothing is missing."
 
 
+def test_a_pass_that_was_not_finished_is_said_not_to_be_used():
+    told = cut_short_sentence(6.1e8, 3, unfinished=True)
+    assert "610 million steps" in told
+    assert "its last pass was not finished and is not used" in told
+    assert "3 candidates" not in told
+    assert told.endswith("goes on for three times as long.")
+    assert cut_short_sentence(6.1e8, 3, True, True).endswith("had been found before it.")
+
+
 def test_a_lack_of_which_not_all_was_tried_is_no_plain_unknown():
     lack = "Something is missing: 1.4 times. None of the known effects explains it."
     assert "None of the known effects that were tried (35 were not)" in in_view_of(

@@ -121,6 +121,7 @@ def diagnose(
         floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
         cut_short=cut_short, interrupted=interrupted, taken_back=back, harmful=result.harmful,
         recording=recording, forms=forms_beside(done, found.split, not cut_short),
+        unfinished=found.unfinished,
         only_held_out=all_clear and done.verdict.kind == "lack or noise",
     )  # fmt: skip
     return not_cleared_at_another_pace(told)

@@ -74,6 +74,8 @@ class Diagnosis:
         Steps after which the search was cut short; 0 if it came to its end.
     interrupted : bool
         Whether somebody ended it.
+    unfinished : bool
+        Whether its last pass was ended so, and is not used.
     taken_back : TakenBack or None
         What the runs held out contradict.
     harmful : tuple of Harmful
@@ -110,6 +112,7 @@ class Diagnosis:
     over_noise: float = 1.0
     cut_short: float = 0.0
     interrupted: bool = False
+    unfinished: bool = False
     taken_back: TakenBack | None = None
     harmful: tuple[Harmful, ...] = ()
     forms: Mapping[str, tuple[Trial, ...]] = field(default_factory=dict)

@@ -65,7 +65,7 @@ def runwise(
         own = _with_second(model, own, found, names)
     again, own = _searched(search, found, own, model)
     if effort_of(search.bench.predictor).used_up:  # it has ended before what had been found
-        return found, ()
+        return replace(found, unfinished=True), ()
     if not all(map(differs, own)):
         return found, own
     if _new(again, found):  # beside effects that are new the own values are others

@@ -31,8 +31,9 @@ from .tracing.verdict import LACKING
 class WeightedSearchResult:
     """A diagnosis and what it used: runs (`fitted`: before repetitions were averaged) and tracer.
 
-    `noise` is the floor of the selecting runs without what repeated runs differ by; `repeated` are
-    the names of runs that count as one driven again, where these have raised the floors.
+    `noise`: floor of the selecting runs without what repeated runs differ by.  `repeated`: names of
+    runs that count as one driven again, where these have raised the floors.  `unfinished`: whether
+    a further search was begun, which the effort ended, and is not used.
     """
 
     search: SearchResult
@@ -43,6 +44,7 @@ class WeightedSearchResult:
     noise: float
     floors: Floors
     repeated: tuple[tuple[str, ...], ...] = ()
+    unfinished: bool = False
 
 
 #: Most searches.
@@ -93,7 +95,7 @@ class WeightedSearch:
             self.say(f"once more, weighed for noise of inputs by {_called(names)}")
         found = self.weighed_by(by, values, None if plain is None else plain.search)
         if plain is not None and effort.used_up and _to_be_found(found):
-            return plain
+            return replace(plain, unfinished=True)
         weighed = [set(), self._families(names)]
         unnamed = plain is not None and bool(names) and not plain.search.corrected.effects
         while self.bench.noise is not None and len(weighed) <= SEARCHES and not effort.used_up:
@@ -107,9 +109,12 @@ class WeightedSearch:
             self.say(f"once more, weighed by {_called(names)}: what weighed was far off")
             again = self.weighed_by(by, values, found.search)
             if effort.used_up:  # what came to its end is better than what was cut short
+                found = replace(found, unfinished=True)
                 break
             found = again
-        return plain if plain is not None and _better(plain, found) else found
+        if plain is not None and _better(plain, found):
+            return replace(plain, unfinished=found.unfinished)
+        return found
 
     def _families(self, names: Sequence[str]) -> set[str]:
         """Families of the effects named: noise does much the same to forms of one family."""

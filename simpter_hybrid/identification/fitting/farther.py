@@ -39,9 +39,11 @@ def gone_farther(
     """Trials of which those `near` are fitted farther, best on the selecting runs first."""
     known, found = memory or Memory(), {t.candidate.name: t for t in trials}
     for trial in near:
+        asked = "farther", *known_by(trial)
+        if known.barred(base, asked):
+            break
         # With the weight of tolerances with which the trial has ended.
         fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=trial.fit.unit)
-        asked = "farther", *known_by(trial)
         deeper = known.of(base, asked, partial(_deeper, fitter, trial))
         if deeper is not None:
             fitter, deeper = freed(fitter, deeper)

@@ -167,6 +167,8 @@ class Fitter:
                 stale = stale or whole
             if gain >= enough:
                 others = list(OTHERS)
+            elif self.effort.used_up:  # whoever goes on from here computes columns of their own
+                break
             elif renew and (stale or computed > DISTANT * cost):
                 columns, stale, computed, damping = self.jacobian(values, at), False, cost, 1e-4
             elif renew and whole and others:
@@ -190,7 +192,7 @@ class Fitter:
     def _descend(self, values, at, cost, columns, damping, tries, enough):
         size = np.array([p.typical for p in self.parameters])
         x = np.array([values[p.name] for p in self.parameters])
-        while tries and damping < MOST_DAMPED:
+        while tries and damping < MOST_DAMPED and not self.effort.used_up:
             trial = bounded_step(self.parameters, values, columns, at, damping)
             moved = np.array([trial[p.name] for p in self.parameters])
             linear = at + columns @ ((moved - x) / size)

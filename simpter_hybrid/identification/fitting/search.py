@@ -89,11 +89,15 @@ class _Fits:
         self._begun.sort(key=lambda b: b[1].cost)
 
     def carry_on(self) -> None:
-        """Fits to their ends, of those that have gained enough beside the best; a trial of each."""
+        """Fits to their ends, of those that have gained enough beside the best; a trial of each.
+
+        While there is effort left: one that is not carried on is judged as far as it has come.
+        """
         best = start = self._base.cost
         for probe, fit in self._begun:
             beside = 0.0 if probe.candidate.frees else CARRIED_ON * (start - best)
-            if start - fit.cost > max(beside, 2 * HOPEFUL * start):
+            barred = self._memory.barred(self._base, ("on", probe.candidate.name))
+            if start - fit.cost > max(beside, 2 * HOPEFUL * start) and not barred:
                 fit = self._fitted("on", probe, partial(to_its_end, probe, fit))
             trial = self._judge(probe, fit)
             if trial.gain > 0.0:  # what does not hold on other runs is no measure for the rest
@@ -116,9 +120,10 @@ class _Fits:
             name = probe.candidate.name
             for simpler in _contained(probe.candidate, self.trials):
                 at_floor = self.trials[name].select_error < AT_FLOOR * self._floor
-                if at_floor or simpler.fit.cost > self._base.cost:
-                    continue
                 end = simpler.candidate.name, simpler.fit.cost
+                barred = self._memory.barred(self._base, ("grown", name, *end))
+                if at_floor or simpler.fit.cost > self._base.cost or barred:
+                    continue
                 again = self._fitted("grown", probe, partial(grown_on, probe, simpler), *end)
                 if again.cost < self.trials[name].fit.cost:
                     gain = self._judge(probe, again).gain

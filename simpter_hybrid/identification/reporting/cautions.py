@@ -165,22 +165,28 @@ def passed_over_sentence(done: SearchResult) -> str:
     )
 
 
-def cut_short_sentence(steps: float, unfitted: int, interrupted: bool = False) -> str:
-    """Sentence that a search did not come to its end; "" if it did."""
+def cut_short_sentence(
+    steps: float, unfitted: int, interrupted: bool = False, unfinished: bool = False
+) -> str:
+    """Sentence that a search did not come to its end; "" if it did.
+
+    `unfinished`: what follows is of the passes before the last one.
+    """
     if not steps:
         return ""
-    if interrupted:
-        return (
-            f"The search was interrupted after {steps / 1e6:.3g} million steps of simulated runs, "
-            f"with {unfitted} candidates not fitted in its last pass: what follows is what had "
-            "been found by then."
-        )
-    return (
-        f"The search was cut short after {steps / 1e6:.3g} million steps of simulated runs, with "
-        f"{unfitted} candidates not fitted in its last pass: what follows is what had been found "
-        "by then; "
-        f"`--effort {3.0 * steps / USUAL:.2g}` goes on for three times as long."
+    how = "interrupted" if interrupted else "cut short"
+    after = f"The search was {how} after {steps / 1e6:.3g} million steps of simulated runs"
+    left = (
+        f"{after}, with {unfitted} candidates not fitted in its last pass: what follows is what "
+        "had been found by then"
     )
+    if unfinished:
+        left = (
+            f"{after}: its last pass was not finished and is not used; what follows is what had "
+            "been found before it"
+        )
+    longer = f"; `--effort {3.0 * steps / USUAL:.2g}` goes on for three times as long"
+    return left + ("" if interrupted else longer) + "."
 
 
 def cut_off_sentence(findings: Sequence[Finding]) -> str:

@@ -123,6 +123,7 @@ def diagnosis_data(
         "trials": trials_sentence(trials),
         "rounds": [round_data(r, g) for r, g in zip_longest(done.rounds, map(gain_rows, gains))],
         "not_fitted": not_fitted(found),
+        "unfinished": found.unfinished,
         "rings": rings_sentence(found),
         "empirical": _empirical(found),
         **_sight(found, sight, planned or {}),
@@ -155,7 +156,8 @@ def _sentences(
 ) -> dict[str, Callable[[], str]]:
     """The verdict in words, and what has to be known of it; "" what does not apply."""
     verdict, taken = found.search.verdict, found.recording or recording
-    unfitted = len(not_fitted(found))
+    # A pass that came to its end has left out what promised too little, and nothing else.
+    unfitted = 0 if found.unfinished else len(not_fitted(found))
     return {
         "sentence": lambda: in_view_of(
             recording.still, verdict_sentence(found) + one_factor_text(found), found.doubts,
@@ -169,7 +171,9 @@ def _sentences(
         "ruling_run": lambda: ruling_run_sentence(found.ruling_run),
         "cut_off": lambda: cut_off_sentence(recording.findings),
         "odd_rows": lambda: odd_rows_sentence((*recording.findings, *found.remarks)),
-        "cut_short": lambda: cut_short_sentence(found.cut_short, unfitted, found.interrupted),
+        "cut_short": lambda: cut_short_sentence(
+            found.cut_short, unfitted, found.interrupted, found.unfinished
+        ),
         "kind": lambda: class_sentence(found),
         "or_sensor": lambda: or_sensor_sentence(found),
         "at_limit": lambda: at_limit_sentence(found),

@@ -94,6 +94,7 @@ def _said(data: Mapping[str, Any]) -> list[str]:
 
 def _tables(data: Mapping[str, Any], model: str) -> list[str]:
     """What stands behind it, and the corrected model."""
+    cut = bool(data["cut_short"]) and not data["unfinished"]  # a pass that is used
     return [
         "<h2>Error on the runs held out</h2>",
         error_tables(data),
@@ -102,8 +103,8 @@ def _tables(data: Mapping[str, Any], model: str) -> list[str]:
         "<h2>Parameters</h2>",
         _parameters(data["parameters"], _meant(data)),
         "<h2>Candidates</h2>",
-        *(candidate_table(k, r, bool(data["cut_short"])) for k, r in enumerate(data["rounds"])),
-        _paragraph(_refused(data["not_fitted"], bool(data["cut_short"]))),
+        *(candidate_table(k, r, cut) for k, r in enumerate(data["rounds"])),
+        _paragraph(_refused(data["not_fitted"], cut)),
         "" if data["trials"] else f"<p>{TRUST}</p>",
         "<h2>On what the residual depends</h2>",
         dependence_table(data["rounds"], data["straight"], bool(data["effects"])),
