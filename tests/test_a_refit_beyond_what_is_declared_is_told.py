@@ -53,6 +53,25 @@ def test_what_ended_as_far_as_is_tried_is_no_estimate():
     assert "friction -95.0 % (declared to 70 %, and no farther" in refit_sentence(at_its_end)
 
 
+def test_what_ended_so_within_its_tolerance_is_not_said_to_be_beyond_it():
+    ended = found(1.0, 0.05)
+    wide = Parameter("friction", 1.0, 0.05, 2.0, 0.01, tolerance=2.0)
+    ended.search.corrected.predictor.parameters = (MASS, wide)
+    assert refit_sentence(ended) == (
+        "Refitted to the end of what is tried, though within its tolerance: friction -95.0 % "
+        "(declared to 200 %, and no farther is tried)."
+    )
+
+
+def test_what_ended_beyond_it_and_not_far_is_told_among_what_did():
+    ended = found(1.12, 1.3)
+    narrow = Parameter("friction", 1.0, 0.5, 1.3, 0.01, tolerance=0.2)
+    ended.search.corrected.predictor.parameters = (MASS, narrow)
+    usual, _, beyond = refit_sentence(ended).partition(" Refitted beyond its tolerance: ")
+    assert usual == "Refitted far beyond its tolerance: mass +12.0 % (declared to 5 %)."
+    assert beyond == "friction +30.0 % (declared to 20 %, and no farther is tried)."
+
+
 @pytest.mark.parametrize(
     ("correlation", "beside", "told"),
     [(0.999, "friction", True), (-0.999, "friction", True), (0.9, "friction", False),

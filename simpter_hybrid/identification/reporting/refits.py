@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from math import floor, isfinite, log10
 from typing import Any
 
@@ -18,30 +18,26 @@ TOGETHER = 0.99
 #: What is left of a number that fell far, beyond its tolerance: of one declared to half of itself
 #: no fall is two tolerances.
 LITTLE = 0.2
+#: Where a declared parameter was refitted to.
+FAR_BEYOND = "Refitted far beyond its tolerance"
+BEYOND = "Refitted beyond its tolerance"
+AT_ITS_END = "Refitted to the end of what is tried, though within its tolerance"
 
 
 def far_refits(found: Diagnosis) -> list[str]:
-    """Each declared parameter that went far, by how much, and whether as far as is tried."""
+    """Each declared parameter that went far, or as far as is tried, and by how much."""
+    ended = _ended(found)
+    return [_told(p, off, ended) for p, off in _alone(found).items() if _far(p, off) or p in ended]
+
+
+def _ended(found: Diagnosis) -> set[Parameter]:
+    """Declared parameters that went as far as is tried."""
     values = found.search.corrected.values
-    ended = {p: p.at_limit(values[p.name]) for p in _refitted(found)}
-    return [
-        _told(p, off, ", and no farther is tried" * ended[p])
-        for p, off in _alone(found).items()
-        if _far(p, off) or ended[p]
-    ]
+    return {p for p in _refitted(found) if p.at_limit(values[p.name])}
 
 
-def _beyond_tolerance(found: Diagnosis) -> list[str]:
-    """Each declared parameter that went beyond its tolerance, but not far."""
-    values = found.search.corrected.values
-    return [
-        _told(p, off)
-        for p, off in _alone(found).items()
-        if _beyond(p, off) and not (_far(p, off) or p.at_limit(values[p.name]))
-    ]
-
-
-def _told(p: Parameter, off: float, limit: str = "") -> str:
+def _told(p: Parameter, off: float, ended: Collection[Parameter]) -> str:
+    limit = ", and no farther is tried" * (p in ended)
     return f"{p.name} {_off_text(p, off)} % (declared to {100 * p.tolerance:g} %{limit})"
 
 
@@ -92,13 +88,17 @@ def traded_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -
 def refit_sentence(found: Diagnosis) -> str:
     """Declared parameters that were refitted farther than is usual; "" if none was.
 
-    Or as far as is tried: such a value is no estimate.  What went beyond its tolerance and not far
-    is told behind them.
+    Those that went far come first, then those that went beyond their tolerances, then those that
+    stayed within and ended as far as is tried: such a value is no estimate.
     """
-    told, beyond = far_refits(found), _beyond_tolerance(found)
-    said = [f"Refitted far beyond its tolerance: {', '.join(told)}."] if told else []
-    said += [f"Refitted beyond its tolerance: {', '.join(beyond)}."] if beyond else []
-    return " ".join(said)
+    told: dict[str, list[str]] = {}
+    ended = _ended(found)
+    for p, off in _alone(found).items():
+        how = FAR_BEYOND if _far(p, off) else BEYOND if _beyond(p, off) else AT_ITS_END
+        if how != AT_ITS_END or p in ended:
+            told.setdefault(how, []).append(_told(p, off, ended))
+    order = (FAR_BEYOND, BEYOND, AT_ITS_END)
+    return " ".join(f"{how}: {', '.join(told[how])}." for how in order if how in told)
 
 
 def one_factor_text(found: Diagnosis) -> str:
