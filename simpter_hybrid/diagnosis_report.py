@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import unified_diff
 from pathlib import Path
 from textwrap import wrap
@@ -179,6 +179,7 @@ def _diagnosed(
     of_best = {"most": 2} if ended() else {}
     say(f"asking the runs held out of {'what was found' if of_best else 'every candidate'}")
     gains = held_out_gains(found.search, found.split.report, **of_best)
+    found = replace(found, gains=gains)
     stages = held_out_predictions(found)
     planned = next_runs(seen, found.recording or recording)
     failed: dict[str, Exception] = {}

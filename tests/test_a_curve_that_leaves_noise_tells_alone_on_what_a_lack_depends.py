@@ -53,7 +53,7 @@ def test_of_a_rotor_the_other_balance_and_breakaways_stay(monkeypatch):
 @pytest.mark.parametrize(("left", "others"), [(0.95, False), (1.3, True)])
 def test_others_that_go_along_are_told_beside_a_curve_that_leaves_more(monkeypatch, left, others):
     monkeypatch.setattr(lack_sentences, "among_others", lambda *given: ", among others (x)")
-    for name in ("_nearest", "_not_held_out"):
+    for name in ("nearest_text", "_not_held_out"):
         monkeypatch.setattr(lack_sentences, name, lambda found: "")
     search = Some(
         verdict=Verdict("unknown", coordinates=(PLACE,)), corrected=BEFORE, floor=1.0, rounds=()

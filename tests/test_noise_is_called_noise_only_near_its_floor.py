@@ -33,6 +33,7 @@ def said(
     recording=None,
     parameters=(),
     only=False,
+    gains=(),
 ):
     model = Some(
         effects=(), select_error=ratio, residuals=np.full(9, 2.5),
@@ -52,6 +53,7 @@ def said(
             empirical=None,
             error_by_stage={"after": held_out or ratio},
             floors=ONES,
+            gains=gains,
         )
     )
 

@@ -61,6 +61,11 @@ class HeldOutGain(NamedTuple):
         """Whether the runs held out tell an interval."""
         return bool(np.isfinite(self.low) and np.isfinite(self.high))
 
+    @property
+    def surely_worse(self) -> bool:
+        """Whether the error rises by it wherever in the interval the fall is."""
+        return self.has_interval and self.high < 0.0
+
 
 def held_out_gains(
     done: SearchResult, replays: Sequence[Replay], most: int = ASKED

@@ -14,6 +14,7 @@ from .far_off import FarOff
 from .fitting.fitted_model import Split, Trial
 from .fitting.floor import Floors
 from .fitting.replay import Replay
+from .held_out_gains import HeldOutGain
 from .recordings.checks import Finding
 from .recordings.recording import Recording
 from .rigs.bench import Plan
@@ -86,6 +87,8 @@ class Diagnosis:
         Whether these alone show more than noise.
     recording : Recording or None
         The recording as its rig took it: channels have the names by which they are compared.
+    gains : sequence of sequence of HeldOutGain
+        What the best candidates of each round do to the runs held out, if that was asked.
     off_pace : bool
         Whether the model goes another way than the record where its error does not tell that.
     """
@@ -118,6 +121,7 @@ class Diagnosis:
     forms: Mapping[str, tuple[Trial, ...]] = field(default_factory=dict)
     only_held_out: bool = False
     recording: Recording | None = None
+    gains: Sequence[Sequence[HeldOutGain]] = ()
     off_pace: bool = False
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from ..empirical import Empirical, settles
 from ..fitting.residual import rms
 from ..result import Diagnosis
@@ -25,6 +23,7 @@ from .held_out_sentences import (
     taken_back_text,
     times,
 )
+from .nearest import nearest_text
 from .refits import far_refits
 
 #: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
@@ -124,12 +123,12 @@ def _of_a_lack(found: Diagnosis) -> str:
     if not verdict.coordinates:
         return (
             f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
-            f"explains it{_nearest(found)}, and it depends on {on}{_would_tell(found)}."
+            f"explains it{nearest_text(found)}, and it depends on {on}{_would_tell(found)}."
         )
     seen = [d for first in done.rounds[:1] for d in of_all_balances(first.before)]
     others = among_others(verdict.coordinates, seen, is_straight(found))
     on += "" if others and _settled_by_a_curve(found) else others
-    unknown = f"Something is missing and none of the known effects explains it{_nearest(found)}"
+    unknown = f"Something is missing and none of the known effects explains it{nearest_text(found)}"
     if found.empirical is not None:  # whose sentence says how much is left
         if _untold_by(found.empirical, found):
             return f"{unknown}. On what it depends these runs do not tell."
@@ -239,25 +238,8 @@ def _noise_that(found: Diagnosis) -> str:
 def _helps(found: Diagnosis) -> str:
     if found.search.rounds and not found.search.rounds[0].trials:
         return "promises enough to be fitted where the floor is so uncertain"
-    near = _nearest(found)
+    near = nearest_text(found)
     return f"explains it{near}" if near else "helps"
-
-
-def _nearest(found: Diagnosis) -> str:
-    """Words on what is believed to help, together, and leaves too much to be named; else ""."""
-    rounds = found.search.rounds
-    best = [r.best for r in rounds[:1] if r.best is not None]
-    further = [r.best for r in rounds[1:] if r.best is not None and r.verdict.accepted is not None]
-    if not best:
-        return ""
-    best += further
-    names = [t.candidate.name for t in best]
-    taken = 1.0 - float(np.prod([1.0 - t.gain for t in best]))
-    come, take = ("comes", "takes") if len(names) == 1 else ("come", "take")
-    return (
-        f" ({' and '.join(names)}, which {come} nearest, {take} {100 * taken:.0f} % of the error "
-        "of the runs that select away)"
-    )
 
 
 def _would_tell(found: Diagnosis) -> str:
