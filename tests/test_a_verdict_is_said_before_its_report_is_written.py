@@ -20,7 +20,7 @@ DATA = {
     "unborne": "", "outdone": "", "late_speed": "", "less_drag": "", "ruling_run": "", "apart": "",
     "passed_over": "", "driver": "", "left_out": "", "spoilt": "", "one_direction": "",
     "beyond_fitted": "", "pace": "", "dying_out": "", "failed": "",
-    "odd_rows": "", "run_to_run": None,
+    "odd_rows": "", "nearly_repeated": "", "run_to_run": None,
 }  # fmt: skip
 
 

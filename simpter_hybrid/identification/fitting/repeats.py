@@ -11,6 +11,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -114,21 +115,23 @@ def course(replay: Replay) -> dict[str, np.ndarray]:
     return {**replay.inputs, **moved}
 
 
-def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
+def repetitions(replays: Sequence[Replay], whole: float = ALIKE_WHOLE) -> list[list[Replay]]:
     """Groups of two or more runs, every two of the same course, with windows of the same rows.
+
+    `whole`: part of their signals by which runs that are followed whole may differ.
 
     Whatever was logged beside them: what that does is asked of the best models before it counts as
     what does not come again (`repeated_over`).  Runs in which nothing changes and whose place
     nobody knows are none: what lacks along the way comes at other instants in each.
     """
     told = [r for r in replays if not r.drive_is_exact and _tells_where(r)]
-    groups = put_together(told, _repeats, _size)
+    groups = put_together(told, partial(_repeats, whole=whole), _size)
     return [group for group in groups if len(group) > 1]
 
 
-def _repeats(a: Replay, b: Replay) -> bool:
-    """Whether two runs are of one course, by the stricter bound if either is followed whole."""
-    alike = ALIKE_WHOLE if a.followed or b.followed else ALIKE
+def _repeats(a: Replay, b: Replay, whole: float) -> bool:
+    """Whether two runs are of one course, by the bound `whole` if either is followed so."""
+    alike = whole if a.followed or b.followed else ALIKE
     return (
         a.setting == b.setting and _same_windows(a, b) and same_course(course(a), course(b), alike)
     )

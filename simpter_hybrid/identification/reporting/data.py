@@ -47,6 +47,7 @@ from .held_out_data import (
 from .held_out_sentences import curve_sentence, harmful_sentence, worse_sentence
 from .late_speed import of_late_speed
 from .level_data import level_data
+from .nearly_repeated import nearly_repeated_sentence
 from .next_runs import NextRun
 from .not_shown import (
     outdone_sentence,
@@ -188,6 +189,7 @@ def _sentences(
         "repeated": lambda: repeated_sentence(
             found.repeated, found.over_noise, told_apart_by_the_model(found, taken)
         ),
+        "nearly_repeated": lambda: nearly_repeated_sentence([*found.fitted, *found.split.select]),
         "between_rows": lambda: held_drives_sentence(found, recording),
         "creeping": lambda: creeping_sentence(told, taken),
         "swings": lambda: swinging_sentence(found, told),

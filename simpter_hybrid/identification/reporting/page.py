@@ -40,7 +40,7 @@ TOLD = (
     "left_out", "one_direction", "dying_out", "late_speed", "or_sensor", "passed_over", "unsized",
     "unborne", "outdone", "hardly_fitted", "beyond_fitted", "worse", "spoilt", "harmful", "uneven",
     "unsteady", "few_windows", "one_run", "at_limit", "less_drag", "refit", "rings", "repeated",
-    "between_rows", "no_place", "creeping", "swings", "repeats",
+    "nearly_repeated", "between_rows", "no_place", "creeping", "swings", "repeats",
 )  # fmt: skip
 #: Condition of an interval: it knows of noise, and not of how far a law is off.
 IF_RIGHT = "if the laws are right"

@@ -32,13 +32,13 @@ def repeated_sentence(
     if over_noise <= FAR_APART:
         return ""
     said = (
-        f"The floor is what runs of one course differ by ({_listed(repeated)}): {over_noise:.1f} "
+        f"The floor is what runs of one course differ by ({listed(repeated)}): {over_noise:.1f} "
         "times the noise known otherwise."
     )
     others = "them"
     if alike:
         said += (
-            f" The records of {_listed(alike)} differ by no more than their sensors' noise: it is "
+            f" The records of {listed(alike)} differ by no more than their sensors' noise: it is "
             "the model that tells them apart (it may stick in one and move on in the other). Where "
             "it lacks something, that lack is in this floor, and errors in times the floor say too "
             "little."
@@ -52,7 +52,8 @@ def repeated_sentence(
     )
 
 
-def _listed(repeated: Sequence[Sequence[str]]) -> str:
+def listed(repeated: Sequence[Sequence[str]]) -> str:
+    """Names of the runs of each group, of as many groups as a sentence bears."""
     listed = "; ".join(" and ".join(names) for names in repeated[:LISTED])
     more = f"; and {len(repeated) - LISTED} more" if len(repeated) > LISTED else ""
     return f"{listed}{more}"
