@@ -70,9 +70,8 @@ def _with_what(rounds: Sequence[Mapping[str, Any]], named: bool) -> str:
     if believed and named:
         return "with what was found"
     if believed:
-        return (
-            f"with {' and '.join(believed)}, which {'are' * (len(believed) > 1) or 'is'} not named"
-        )
+        verb = "is" if len(believed) == 1 else "are"
+        return f"with {' and '.join(believed)}, which {verb} not named"
     best = rounds[-1]["best"]
     return "" if best is None else f"with {best}, which is not named"
 
