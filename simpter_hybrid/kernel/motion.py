@@ -6,7 +6,15 @@ the work of the load, the work of the effects' forces, and the energy dissipated
 
 from .margin import coefficients, facet_margin, facets, share
 from .records import BACKWARD, FACET_LIMIT, FORWARD, FREE, ON
-from .reduction import accelerations, dependence, held_force, partition, project_speeds
+from .reduction import (
+    accelerations,
+    choose_columns,
+    dependence,
+    held_force,
+    partition,
+    project_speeds,
+    take_slip,
+)
 
 #: What ``guards`` writes where no guard applies; no true guard takes this value.
 NEVER = 1e300
@@ -49,7 +57,9 @@ def constrain(md, y, w):
     if r > 0:
         if not md.constant:
             md.map(y, md.p, w.C)
+            choose_columns(w.C, md.n, w.rows, w.cols, r, w.s)
             dependence(w.C, md.n, w.rows, w.cols, r, w.B, w.s)
+            take_slip(y, md.n, w.C, w.rows, r, w.s)
         project_speeds(y, md.n, w.cols, r, w.B)
 
 

@@ -55,6 +55,35 @@ def partition(C, n, m, mode, rows, cols, s):
     return r
 
 
+def choose_columns(C, n, rows, cols, r, s):
+    """Dependent coordinates anew, for the rows that a mode has and the clutch map of this pose.
+
+    What followed well from the other coordinates where a mode began need not do so where it has
+    come: a body on a cable that is held goes past the place where its height says nothing of its
+    way.  By the pose alone, so that it does not matter from where it was reached.
+    """
+    for a in range(r):
+        for b in range(n):
+            s[a * n + b] = C[rows[a] * n + b]
+    for j in range(n):
+        cols[j] = j
+    for a in range(r):
+        best, pr, pc = full_pivot(s, n, cols, a, r)
+        if best == 0.0:
+            return
+        keep_col = cols[a]
+        cols[a] = cols[pc]
+        cols[pc] = keep_col
+        for b in range(n):
+            keep = s[a * n + b]
+            s[a * n + b] = s[pr * n + b]
+            s[pr * n + b] = keep
+        for i in range(a + 1, r):
+            factor = s[i * n + cols[a]] / s[a * n + cols[a]]
+            for b in range(a, n):
+                s[i * n + cols[b]] -= factor * s[a * n + cols[b]]
+
+
 def full_pivot(s, n, cols, r, count):
     """The largest entry of what elimination has left from ``r`` on: (size, row, column)."""
     best = 0.0
@@ -91,6 +120,30 @@ def project_speeds(y, n, cols, r, B):
         for b in range(k):
             total += B[a * k + b] * y[n + cols[r + b]]
         y[n + cols[a]] = total
+
+
+def take_slip(y, n, C, rows, r, s):
+    """Take off the speeds in ``y`` what slips in the stuck rows: the smallest change that does it.
+
+    Which coordinates are dependent changes with the pose; this does not, so a flow that takes it
+    is smooth where they change.
+    """
+    at = r * r
+    for a in range(r):
+        total = 0.0
+        for j in range(n):
+            total += C[rows[a] * n + j] * y[n + j]
+        s[at + a] = total
+        for b in range(r):
+            total = 0.0
+            for j in range(n):
+                total += C[rows[a] * n + j] * C[rows[b] * n + j]
+            s[a * r + b] = total
+    slip = s[at : at + r]
+    if solve(s, slip, r) == 0:
+        for a in range(r):
+            for j in range(n):
+                y[n + j] -= C[rows[a] * n + j] * slip[a]
 
 
 def accelerations(M, f, C, c, n, rows, cols, r, B, constant, qdd, s):
