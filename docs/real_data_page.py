@@ -69,7 +69,7 @@ with the rotor before them. That form was added when the plain one had left 41 t
 the selecting runs; the held-out ones chose nothing. The form without the rotor does as well (the
 two are forms of one effect). The speed that the servo reports is 20 ms behind its own positions,
 which is remarked when the record is read. Since the map moves it by that (`clock_shift`), the free
-run is off by 0.059 rad (0.083 before). Some 50 times the floor are left, so a limit of the driver,
+run is off by 0.060 rad (0.083 before). Some 50 times the floor are left, so a limit of the driver,
 which explains much of what the named effect does there, is told as not excluded. The weight is
 refitted to nearly the end of what is tried (-16.4 %, declared to 5 %), and the report says so. The
 free run is never set anew from the record. The authors' published parameter sets leave 0.12 to 0.14
