@@ -129,9 +129,13 @@ class PrescribedRig(Rig):
         force, seen = channels[self.signals.force], observed.values
         if replay.notes[CLEARER][0]:
             timing = {name: values.get(name, 0.0) for name in TIMING}
-            force = force + seen - unshown(replay.time, seen, timing, EITHER_WAY)
             values = {**values, **dict.fromkeys(TIMING, 0.0)}
-        made, untold = shown(replay.time, force, values), np.zeros(seen.size, dtype=bool)
+            # The difference is the sensor's own reading already: no gain acts on it once more.
+            made = shown(replay.time, force, values) + seen
+            made = made - unshown(replay.time, seen, timing, EITHER_WAY)
+        else:
+            made = shown(replay.time, force, values)
+        untold = np.zeros(seen.size, dtype=bool)
         if late := values.get(TIMING[0], 0.0):
             # What is not compared is not when it is told late either.
             kept = np.interp(replay.time - late, replay.time, observed.keep.astype(float))
