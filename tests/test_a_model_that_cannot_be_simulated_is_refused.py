@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from toy_rig import ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitting.residual import check_simulated
+from simpter_hybrid.identification.fitting.simulated import check_simulated
 from simpter_hybrid.problems import InvalidInput
 
 

@@ -26,7 +26,8 @@ from .first_refit import first_refit
 from .fitting.effort import USUAL, never
 from .fitting.fitted_model import Model
 from .fitting.replay import Replay
-from .fitting.residual import check_simulated, rms, weighted_residuals
+from .fitting.residual import rms, weighted_residuals
+from .fitting.simulated import check_simulated
 from .forms_beside import forms_beside
 from .pace import not_cleared_at_another_pace
 from .percent import percent

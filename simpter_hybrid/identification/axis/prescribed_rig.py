@@ -135,12 +135,14 @@ class PrescribedRig(Rig):
             made = made - unshown(replay.time, seen, timing, EITHER_WAY)
         else:
             made = shown(replay.time, force, values)
-        untold = np.zeros(seen.size, dtype=bool)
+        untold = np.zeros(seen.size)
         if late := values.get(TIMING[0], 0.0):
-            # What is not compared is not when it is told late either.
+            # What is not compared is not when it is told late either; what falls between two rows
+            # of which one is compared counts in part, so that no delay makes the error jump.
             kept = np.interp(replay.time - late, replay.time, observed.keep.astype(float))
-            untold = kept < 1.0
-            made = np.where(untold, seen, made)
+            untold = 1.0 - kept
+            made = np.where(kept > 0.0, made, seen)
+            made = np.where(kept < 1.0, seen + kept * (made - seen), made)
         channels[self.signals.force], channels[UNTOLD] = made, untold
 
     def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:

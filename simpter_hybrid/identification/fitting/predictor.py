@@ -10,7 +10,8 @@ import numpy as np
 
 from .replay import Replay
 
-#: Channel of a prediction: samples of which it says nothing, and repeats what was measured.
+#: Channel of a prediction: which part of each sample it does not tell (0, or not at all: 1), and
+#: repeats of what was measured.
 UNTOLD = "untold"
 #: A value is at a limit up to this part of the way there.
 AT_LIMIT = 1e-3

@@ -8,7 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...problems import InvalidInput, Problem
 from .predictor import UNTOLD, Predictor
 from .replay import Observation, Replay
 
@@ -20,8 +19,6 @@ CLIP = 12.0
 MOVES = 2.0
 #: Weight of a breakaway level: one event stands for the ten or so samples that show it.
 BREAKAWAY_WEIGHT = 3.0
-#: A model that fails in more than this part of the samples says nothing of a recording.
-LOST = 0.5
 
 
 def weighted_residuals(
@@ -68,7 +65,8 @@ def compared_only_where_predicted(
         return replays
     found = []
     for replay, unknown in zip(replays, untold, strict=True):
-        seen = {c: replace(o, keep=o.keep & ~unknown) for c, o in replay.observed.items()}
+        told = np.asarray(unknown) == 0.0
+        seen = {c: replace(o, keep=o.keep & told) for c, o in replay.observed.items()}
         found.append(replace(replay, observed=seen))
     return found
 
@@ -76,13 +74,19 @@ def compared_only_where_predicted(
 def residual_parts(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> list[tuple[str, int, np.ndarray]]:
-    """(channel, index of the replay, weighted residuals) for everything that is compared."""
-    parts = []
+    """(channel, index of the replay, weighted residuals) for everything that is compared.
+
+    Where a model makes no prediction residuals are 0, and those of the run's other samples are
+    larger for it: the sum of squares is as if all samples erred like these.
+    """
+    parts, untold = [], predicted.get(UNTOLD, ())
     for i, replay in enumerate(replays):
         root = np.sqrt(replay.replicates)
         for channel, seen in replay.observed.items():
             error = deviation(seen, predicted[channel][i])
             scaled = _bounded(error * (root / seen.sd), CLIP * root)
+            if len(untold):
+                scaled = _outweighed(scaled, np.asarray(untold[i])[seen.keep], CLIP * root)
             parts.append((channel, i, scaled * seen.weight))
         if replay.breakaways:
             holds = predicted["breakaway_torque"][i]
@@ -90,6 +94,19 @@ def residual_parts(
             scaled = _bounded(np.array(levels), CLIP)
             parts.append(("breakaway", i, scaled * BREAKAWAY_WEIGHT))
     return parts
+
+
+def _outweighed(residuals: np.ndarray, untold: np.ndarray, limit: float) -> np.ndarray:
+    """Residuals enlarged so that what is `untold` (parts of samples, 0 to 1) is no merit.
+
+    A fit minimises them: to scale keeps zero mean and differences smooth, as a constant in the
+    places of what is untold would not.  Of what is told nowhere all count as the worst.
+    """
+    if not untold.any():
+        return residuals
+    told = 1.0 - untold
+    weight = float(told @ told)
+    return residuals * math.sqrt(told.size / weight) if weight else np.full(told.size, limit)
 
 
 def places(replays: Sequence[Replay]) -> np.ndarray:
@@ -124,7 +141,11 @@ def channel_errors(
 def errors_by_run(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> np.ndarray:
-    """Root mean square of each run (runs,), in standard deviations; 0 if nothing is compared."""
+    """Root mean square of each run (runs,), in standard deviations; 0 if nothing is compared.
+
+    Samples for which nothing is predicted are left out.
+    """
+    replays = compared_only_where_predicted(predicted, replays)
     parts: list[list[np.ndarray]] = [[] for _ in replays]
     for _, i, part in residual_parts(predicted, replays):
         parts[i].append(part)
@@ -134,14 +155,15 @@ def errors_by_run(
 def over_rest(predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]) -> float:
     """Error of a prediction over that of no motion at all, for the channel predicted best.
 
-    No motion: every window keeps its first value.  Runs may observe different channels.
+    No motion: every window keeps its first value.  Runs may observe different channels; of one for
+    which nothing is predicted the error is infinite.
     """
     calm = [_any_line(replace(replay, breakaways=())) for replay in replays]
     kept = [{c: _kept(seen) for c, seen in replay.observed.items()} for replay in calm]
     channels = dict.fromkeys(c for one in kept for c in one)
     rest = {c: [one.get(c, np.zeros(0)) for one in kept] for c in channels}
     over, alike = channel_errors(predicted, calm), channel_errors(rest, calm)
-    return min((over[c] / alike[c] for c in alike if alike[c] > 0.0), default=0.0)
+    return min((over.get(c, math.inf) / alike[c] for c in alike if alike[c] > 0.0), default=0.0)
 
 
 def _any_line(replay: Replay) -> Replay:
@@ -209,23 +231,3 @@ def rms(residuals: np.ndarray) -> float:
 def _bounded(error: np.ndarray, limit: float) -> np.ndarray:
     """Clipped; what could not be predicted (NaN) counts as the worst."""
     return np.clip(np.where(np.isfinite(error), error, limit), -limit, limit)
-
-
-def check_simulated(
-    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay], name: str
-) -> None:
-    """Check that a model can be simulated through most of what is compared.
-
-    Raises
-    ------
-    InvalidInput
-        If the model fails in more than the part `LOST` of the samples.
-    """
-    predicted = predictor.predict(values, replays)
-    channels = {c for r in replays for c in r.observed}
-    lost = [np.isnan(series) for c in channels for series in predicted[c]]
-    part = float(np.mean(np.concatenate(lost)))
-    if part > LOST:
-        what = "the declared model cannot be simulated over the runs that fit"
-        right = "a model that `simpter run` finishes, also with these runs' drive"
-        raise InvalidInput([Problem(name, "", what, f"{100 * part:.0f} % of the samples", right)])
