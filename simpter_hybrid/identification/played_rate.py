@@ -9,7 +9,7 @@ from ..scenario import Scenario
 from .recordings.checks import Finding
 from .recordings.recording import Recording
 from .recordings.row_step import row_step
-from .tip.rig import SMOOTHED
+from .tip.smooth_force import SMOOTHED
 
 #: A model's controller may act at so many times the interval of the samples: slower, it loses what
 #: moved the rig.

@@ -30,7 +30,7 @@ from ..recordings.logged import told_of_run
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import gaps, row_step
-from ..recordings.smoothing import derivative, even_step, from_row, rate_of_change, smoothed, whole
+from ..recordings.smoothing import even_step, from_row, rate_of_change, whole
 from ..rigs.beside_record import of_a_clock
 from ..rigs.pose import clutch_maps
 from ..rigs.rig import Rig, driven_by, handed_on
@@ -39,13 +39,12 @@ from ..rigs.sensor_errors import Key, told_values
 from ..rigs.start_state import later_starts, state_at_zero
 from .held_force import held_means
 from .sensors import read_angles, sensed, sensor_errors, sensor_keys
+from .smooth_force import smooth_course
 
 #: Length of a free prediction [s].
 WINDOW = 1.0
-#: Over which positions are fitted by a parabola for a window's start [s] ...
+#: Over which positions are fitted by a parabola for a window's start [s].
 FITTED = 0.1
-#: ... and the tip force is smoothed [s].
-SMOOTHED = 0.018
 #: Degree of that parabola; stamps nearer than this part of a step are the same.
 PARABOLA, SAME = 2, 1e-6
 #: Fewest rows between gaps in which a window begins; time after which a command is forgotten [s].
@@ -229,9 +228,8 @@ class TipRig(Rig):
             if self.holds:
                 pushes = 0.0 * rows if smooth else held_means(knots[:-1], time, force, HELD[how])
                 columns.append(pushes)
-            for curve in (smoothed, derivative):
-                through = curve(force, step, SMOOTHED) if smooth else nothing
-                curves.append(np.interp(knots, time, through))
+            through = smooth_course(time, force) if smooth else (nothing, nothing)
+            curves += [np.interp(knots, time, values) for values in through]
         head = [count, len(columns), knots.size, period]
         rows_and_knots = np.column_stack(columns).ravel(), np.column_stack(curves).ravel()
         return np.concatenate([head, *rows_and_knots])
