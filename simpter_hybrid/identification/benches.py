@@ -20,6 +20,7 @@ from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .recordings.start import refuse_start
 from .rigs.bench import Bench
+from .rigs.long_pauses import cut_at_long_pauses
 from .rigs.pose import inertia_of
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
@@ -42,13 +43,21 @@ from .tracing.traced import Tracer
 
 
 def as_recorded(recording: Recording) -> Recording:
-    """The recording as its rig takes it: see `as_rotor` and `as_axis`."""
+    """The recording as its rig takes it: see `as_rotor`, `as_axis` and `cut_at_long_pauses`.
+
+    Of an axis and of joints runs end at every gap, once they are replayed.
+    """
     there = recording.channels
     if TipSignals().force[0] in there:
-        return recording
+        return cut_at_long_pauses(recording)
     if RotorSignals().transmitted in there:
-        return as_rotor(recording)
-    return recording if of_joints(recording) else as_axis(recording)
+        return as_rotor(cut_at_long_pauses(recording))
+    if of_joints(recording):
+        return recording
+    axis = as_axis(recording)
+    position = axis.channels.get(AxisSignals().position)
+    moved = position is not None and position.role == "input"
+    return cut_at_long_pauses(axis) if moved else axis
 
 
 def bench_of(

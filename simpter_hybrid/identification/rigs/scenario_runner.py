@@ -16,7 +16,7 @@ from ...kernel.records import COUNTS, FREE, STEPS, STICK
 from ...machine_code.program import Cases, Program, Room, general_is_kept
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
-from ..recordings.row_step import row_step
+from ..recordings.row_step import parted, row_step
 
 #: After so many steps of a model the kernel is compiled for its sizes: that takes some 5 s, saves
 #: 0.6 us a step, and serves all effects that have as many states (it is kept on disk, too).  Both
@@ -27,6 +27,9 @@ ROOM = Room(20_000, 0, 0)
 #: Steps that a run may take, and for each row of it: a candidate that is stiffer than its recording
 #: can tell (a lag of a nanosecond) has failed, and does not keep a search busy for hours.
 MOST_STEPS, STEPS_A_ROW = 1_000_000, 100
+#: Steps that it may take besides for each instant of its controllers in a pause, which has no rows:
+#: what is behind one is simulated, too.
+STEPS_A_TICK = 10
 
 
 def threads() -> int:
@@ -138,7 +141,7 @@ class ScenarioRunner:
             given.parameters, given.data, cases.starts[0]
         ):  # such a run would never end
             return np.full((samples, program.width), np.nan), 0
-        limit = max(MOST_STEPS, STEPS_A_ROW * samples)
+        limit = max(MOST_STEPS, STEPS_A_ROW * samples) + self._steps_in_pauses(given)
         room = replace(ROOM, events=given.pieces * ROOM.events)
         found = program.call(cases, room, grid=given.grid, restarts=anew, step_limit=limit)
         steps = int(found.counts[0, COUNTS + STEPS])
@@ -165,6 +168,14 @@ class ScenarioRunner:
         delay, threshold = np.split(given.switching, 2)
         one = given.parameters[None], first, delay[None], threshold[None], given.data
         return program, Cases(*one), (at, states)
+
+    def _steps_in_pauses(self, given: GivenRun) -> int:
+        """Steps that are allowed for what of a run has no rows; 0 without gaps."""
+        period = given.period or self.scenario.period
+        if len(given.grid) < 2 or period <= 0.0:
+            return 0
+        steps = np.diff(given.grid)
+        return round(STEPS_A_TICK * float(steps[parted(given.grid)].sum()) / period)
 
     def _longest(self, grid: np.ndarray) -> float:
         """Longest step [s]: the declared one, or one row of a record with rows farther apart.
