@@ -20,6 +20,7 @@ from ..recordings.checks import Finding
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import gaps, row_step
 from .conditioning import FITTED, MEAN, RESTS_BELOW, Conditions, restart_at
+from .idle_torque import idle_torque
 from .signals import RotorSignals
 
 #: The excitation has forgotten what it did before after so many time constants, and at least after
@@ -82,7 +83,11 @@ def settling(declared: Scenario) -> float:
 
 
 def beginning(
-    run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float], settles: float
+    run: RecordedRun,
+    signals: RotorSignals,
+    sd: Mapping[str, float],
+    settles: float,
+    zero: float = 0.0,
 ) -> Beginning:
     """How one run begins, and where it goes on behind a gap.
 
@@ -94,6 +99,8 @@ def beginning(
         Noise of its channels [SI].
     settles : float
         `settling` [s].
+    zero : float
+        What the torque's sensor shows of a clutch that is off: `idle_torque` [SI].
     """
     step = row_step(run.time)
     time, keep = _round(run.time), np.ones(run.time.size, bool)
@@ -103,7 +110,7 @@ def beginning(
     behind = tuple((gaps(run.time) + 1).tolist())
     for k in behind:
         keep[k : k + round(settles / step)] = False
-    under_way = began_earlier(run, signals, sd)
+    under_way = began_earlier(run, signals, sd, zero)
     seen = _seen_at(0, run, signals, sd)
     if under_way:
         time = _moved(time, step * (1 + np.ceil(BEFORE * settles / step)))
@@ -114,14 +121,18 @@ def beginning(
     return Beginning(time, start, keep, under_way, behind)
 
 
-def began_earlier(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float]) -> bool:
+def began_earlier(
+    run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float], zero: float = 0.0
+) -> bool:
     """Whether the first samples show what takes time to come from rest with nothing commanded.
 
     A torque that is carried at once, since the excitation lags; a motion that a torque drives;
-    one that a servo drives and did not just start.
+    one that a servo drives and did not just start.  What the torque's sensor shows of a clutch that
+    is off, its `zero`, is none.
     """
     carried = run.channels[signals.transmitted][:AT_ONCE]
-    if abs(carried.mean()) > CARRIED * sd[signals.transmitted] / np.sqrt(carried.size):
+    least = min(abs(carried.mean()), abs(carried.mean() - zero))
+    if least > CARRIED * sd[signals.transmitted] / np.sqrt(carried.size):
         return True
     if _seen_at(0, run, signals, sd).speed == 0.0 or _starts(run, signals, sd):
         return False
@@ -178,7 +189,8 @@ def beginning_remarks(
     recording: Recording, signals: RotorSignals, sd: Mapping[str, float], settles: float
 ) -> tuple[Finding, ...]:
     """Remarks on runs that do not begin at rest at 0 s or have gaps, one for each kind."""
-    begun = [beginning(run, signals, sd, settles) for run in recording.runs]
+    zero = idle_torque(recording.runs, signals, settles)
+    begun = [beginning(run, signals, sd, settles, zero) for run in recording.runs]
     steps = [row_step(run.time) for run in recording.runs]
     pairs = list(zip(recording.runs, begun, steps, strict=True))
     late = [run for run, _, step in pairs if not 0.0 <= run.time[0] < FIRST * step]

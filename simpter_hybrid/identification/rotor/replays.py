@@ -14,6 +14,7 @@ from ..recordings.recording import RecordedRun, Recording
 from .beginnings import LEAST, beginning
 from .conditioning import Conditions, conditions, free_conditions
 from .free_play import struck
+from .idle_torque import idle_torque
 from .signals import RotorSignals
 
 #: Weight of a speed that is predicted from a restart: the error of the restarted state stays in
@@ -38,9 +39,12 @@ def rotor_replays(
     """
     signals = RotorSignals()
     sd = noises(recording, signals)
+    zero = idle_torque(recording.runs, signals, settles)
     chosen = [r for r in recording.runs if not groups or r.group in groups]
     return [
-        replace(_replay(run, signals, sd, settles), **told_of_run(run, recording, signals.all))
+        replace(
+            _replay(run, signals, sd, settles, zero), **told_of_run(run, recording, signals.all)
+        )
         for run in chosen
     ]
 
@@ -52,11 +56,11 @@ def noises(recording: Recording, signals: RotorSignals) -> dict[str, float]:
 
 
 def _replay(
-    run: RecordedRun, signals: RotorSignals, sd: dict[str, float], settles: float
+    run: RecordedRun, signals: RotorSignals, sd: dict[str, float], settles: float, zero: float
 ) -> Replay:
     torque = run.channels[signals.prescribed]
     by_torque = bool(np.isfinite(torque).all())
-    begun = beginning(run, signals, sd, settles)
+    begun = beginning(run, signals, sd, settles, zero)
     inputs = {s: np.nan_to_num(run.channels[s]) for s in signals.inputs if s in run.channels}
     transmitted = run.channels[signals.transmitted]
     notes = {s: run.channels[s] for s in (signals.position, signals.speed)}
