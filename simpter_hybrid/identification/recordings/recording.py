@@ -41,6 +41,7 @@ from .outliers import check_outliers, reaches
 from .recorded_run import RecordedRun, recorded_runs
 from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
+from .speed_zero import less_zeros, speed_zeros, zero_remarks
 from .stale import stale_inputs, stepped_inputs
 from .stamps import evenly_sampled
 from .steps import finer_than_told, quieter_than_told
@@ -141,7 +142,9 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     missing = [f for r in recorded for f in gap_remarks(r.name, r.rows[0], r.time, parted)]
     known = [(run.time, run.channels) for run in recorded]
     moved, little = _moved(known, described, columns.places, problems)
-    apart = gains_apart(known, described.channels) + late_speeds(known, described.channels)
+    zeros = tuple(speed_zeros(known, described.channels))
+    apart = gains_apart(less_zeros(known, zeros), described.channels)
+    apart += late_speeds(known, described.channels) + zero_remarks(zeros, described.channels)
     apart += hardly_together(known, described.channels, moved)
     apart += stale_inputs(known, described.channels) + stepped_inputs(known, described.channels)
     doubted = _doubted_values(recorded, described.channels)

@@ -1,4 +1,7 @@
-"""A rotor's recording at the rate of rows for which its breakaways are looked for."""
+"""A rotor's recording as its rig takes it: at the rate of rows for which breakaways are looked for.
+
+Of a speed with another zero: a rotor that rests would be one that turns, and never break away.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,7 @@ from ..recordings.checks import Finding
 from ..recordings.recorded_run import RecordedRun
 from ..recordings.recording import Recording
 from ..recordings.row_step import row_step
+from ..recordings.speed_zero import less_zeros, speed_zeros
 from .signals import RotorSignals
 
 #: Time between rows [s]: slips, stops and levels are judged by some rows of this length.
@@ -26,9 +30,10 @@ def as_rotor(recording: Recording) -> Recording:
     An input that the map has held after its stamp is moved by a row, and the first row, of which
     nobody knows what held up to it, is left out.  Where rows come faster only
     every second, third ... is kept, by which its stamps count on.  A reference that was
-    not logged, of a rig that is only driven by the other, applies in no row.
+    not logged, of a rig that is only driven by the other, applies in no row.  A zero of the speed
+    that all runs show is taken off.
     """
-    recording = _with_both_references(recording)
+    recording = _with_both_references(_with_zeros_off(recording))
     late = [n for n, c in recording.channels.items() if c.role == "input" and c.held == "after"]
     every = [_every(run) for run in recording.runs]
     if max(every) == 1 and not late:
@@ -45,6 +50,22 @@ def as_rotor(recording: Recording) -> Recording:
         recording, map=replace(recording.map, channels=channels), runs=runs,
         findings=(*recording.findings, *told[:1]),
     )  # fmt: skip
+
+
+def _with_zeros_off(recording: Recording) -> Recording:
+    """The recording with the `offset` in its map that `zero_remarks` tells of."""
+    known = [(run.time, run.channels) for run in recording.runs]
+    if not (zeros := list(speed_zeros(known, recording.channels))):
+        return recording
+    channels = {**recording.channels}
+    for one in zeros:
+        told = channels[one.speed]
+        channels[one.speed] = replace(told, shift=told.shift - told.sign * one.zero)
+    runs = tuple(
+        replace(run, channels=right)
+        for run, (_, right) in zip(recording.runs, less_zeros(known, zeros), strict=True)
+    )
+    return replace(recording, map=replace(recording.map, channels=channels), runs=runs)
 
 
 def _remark(run: RecordedRun, every: int) -> Finding:
