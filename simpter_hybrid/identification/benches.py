@@ -29,6 +29,7 @@ from .rotor.drive_reading import drive_remarks
 from .rotor.experiments import reach_of, rotor_experiments
 from .rotor.library import rotor_library
 from .rotor.load_candidates import OF_MOTOR
+from .rotor.never_rests import never_rests
 from .rotor.replays import noises, rotor_replays
 from .rotor.rig import RotorRig
 from .rotor.rows import as_rotor, fast_rows, untold_holds
@@ -144,5 +145,6 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
             *beginning_remarks(recording, signals, noises(recording, signals), settles),
             *unused(recording, signals.all), *fast_rows(recording),
             *untold_holds(recording), *drive_remarks(recording, signals),
+            *never_rests(recording, signals, noises(recording, signals)),
         ),
     )  # fmt: skip
