@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 
+from ...effect import Effect
 from ..fitting.predictor import Candidate
 from ..rigs.effect_candidate import EffectCandidate
 
@@ -24,7 +25,11 @@ def meaning(one: Candidate) -> str:
     if one.acts_on == "sensor":
         return " (an error of the sensor, not of the machine)"
     parts = one.effects() if isinstance(one, EffectCandidate) else ()
-    told = ((sys.modules[type(part).__module__].__doc__ or "").strip() for part in parts)
-    lines = dict.fromkeys(text.split("\n")[0].rstrip(".:") for text in told if text)
-    words = "; ".join(line[:1].lower() + line[1:] for line in lines)
+    words = "; ".join(filter(None, dict.fromkeys(map(first_line, parts))))
     return f" ({words})" if words else ""
+
+
+def first_line(effect: Effect) -> str:
+    """What an effect is: the first line of its module, as a part of a sentence."""
+    line = (sys.modules[type(effect).__module__].__doc__ or "").strip().split("\n")[0].rstrip(".:")
+    return line[:1].lower() + line[1:]

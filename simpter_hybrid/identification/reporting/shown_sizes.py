@@ -9,6 +9,7 @@ from ..held_out_gains import HeldOutGain
 from ..result import Diagnosis
 from .held_out_sentences import BREAKAWAY
 from .not_shown import unsized_sentence
+from .parts_shown import parts_sentence
 
 
 def sizes_told(
@@ -16,8 +17,11 @@ def sizes_told(
     parameters: Sequence[Mapping[str, Any]],
     gains: Sequence[Sequence[HeldOutGain]] = (),
 ) -> str:
-    """`unsized_sentence` and `no_level_sentence`, as far as there is something to tell."""
-    said = unsized_sentence(found, parameters, gains), no_level_sentence(found)
+    """Effects without a sure size, parts that may be none, levels that nothing shows."""
+    said = (
+        unsized_sentence(found, parameters, gains), parts_sentence(found, parameters),
+        no_level_sentence(found),
+    )  # fmt: skip
     return " ".join(filter(None, said))
 
 

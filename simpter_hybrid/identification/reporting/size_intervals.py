@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from ..fitting.predictor import Candidate
@@ -30,6 +30,11 @@ def sizes_may_be_zero(effect: Candidate, told: Mapping[str, Mapping[str, Any]]) 
         return own in told and _may_be(told[own], 0.0)
 
     return all(map(may_be, effect.sizes))
+
+
+def may_all_be_zero(sizes: Iterable[str], told: Mapping[str, Mapping[str, Any]]) -> bool:
+    """Whether each of these sizes has an interval with zero in it, or none at all."""
+    return all(name in told and _may_be(told[name], 0.0) for name in sizes)
 
 
 def _product(number: str, told: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Any] | None:
