@@ -18,7 +18,7 @@ from .fitting.fitted_model import freed
 from .fitting.replay import Replay
 from .fitting.replicates import merged_as
 from .fitting.residual import rms, weighted_residuals
-from .map_changes import MapChange, OnAxis, ReadAs, Times
+from .map_changes import EvenSpeed, MapChange, OnAxis, ReadAs, Times
 from .own_zeros import own_zeros
 from .recordings.agreement import unequal_gains
 from .recordings.channel_map import HELD
@@ -34,6 +34,8 @@ BETTER = 2.0 / 3.0
 ITERATIONS, ENOUGH = 4, 3e-3
 #: A slight factor is asked about only if it leaves less than this part of the error.
 SLIGHT = 0.25
+#: What leaves this part of the error, or more, does not help.
+ALL = 0.98
 
 
 class Judged(NamedTuple):
@@ -77,7 +79,8 @@ def doubted(
     the one is not the rate of the other.  A factor is asked about only where the model, as declared
     or refitted with it, leaves less than twice what was found does, a slight one about as little.
     Where the selecting runs ask for none the fitted ones are asked: they may be driven alone.  An
-    encoder off its axis, which the record alone tells, is always asked about.  Edges between rows
+    encoder off its axis, which the record alone tells, is always asked about where its position is
+    compared, and a tachometer that would show the same where that helps.  Edges between rows
     make the floor so high that little is left to explain: where a delay or a lag was found, a
     reading that explains as much as that is doubted too, for half a row of time is what another
     reading shifts.
@@ -100,9 +103,7 @@ def doubted(
     def refitted(changes: Iterable[MapChange], judged: Judged) -> list[tuple[MapChange, float]]:
         return _left_by_changes(bench, recording, changes, values, fitted.replays, judged)
 
-    # What the record itself shows to be off is asked whatever a refit makes of it.
-    put_right = [OnAxis((o.position,), o) for o in off_axis(recording.runs, recording.channels)]
-    waves = [Doubt(change, error / before) for change, error in refitted(put_right, select)]
+    waves = _waves(recording, select, refitted)
     channels: list[Doubt] = []
     for judged in (select, fitted):
         if judged.far and not channels:
@@ -121,6 +122,33 @@ def doubted(
         if error < IMPERFECT * after and (error < BETTER * before or (late and error**2 < least))
     ]
     return (*channels, *waves, *sorted(readings, key=lambda doubt: doubt.left))
+
+
+def _waves(
+    recording: Recording,
+    judged: Judged,
+    refitted: Callable[[Iterable[MapChange], Judged], list[tuple[MapChange, float]]],
+) -> list[Doubt]:
+    """Waves once a turn by which a position and its speed differ, by the sensor that has them."""
+    found = []
+    for off in off_axis(recording.runs, recording.channels):
+        changes = OnAxis((off.position,), off), EvenSpeed((off.speed,), off)
+        left = [Doubt(change, e / judged.before) for change, e in refitted(changes, judged)]
+        found += waves_asked(left, any(off.position in r.observed for r in judged.replays))
+    return found
+
+
+def waves_asked(left: Sequence[Doubt], compared: bool) -> list[Doubt]:
+    """Which sensors of one angle are asked about its wave, the likelier first.
+
+    The record itself shows that one of the two is off: of a position that is `compared` that is
+    asked whatever a refit makes of it, else only what helps.
+    """
+    found = sorted(left, key=lambda doubt: doubt.left)
+    helps = [d for d in found if d.left < ALL and d.left <= IMPERFECT * found[0].left]
+    if helps or not compared:
+        return helps
+    return [d for d in found if isinstance(d.change, OnAxis)]
 
 
 def _factors(

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import pi
 
 from .channel_factors import EDGES, Factors, with_exchanged, with_factors
-from .recordings.off_axis import OffAxis, put_on_axis
+from .recordings.off_axis import OffAxis, put_even, put_on_axis
 from .recordings.recorded_run import RecordedRun
 from .recordings.recording import Recording
 
@@ -26,7 +26,7 @@ INSTEAD = {
 #: Channels of what moves, and of forces, by the beginnings of their names.
 MOVING, FORCES = ("position", "speed"), ("force", "torque", "load")
 #: What is wrong where it is no mistake of the map but one of the sensor.
-OFF_AXIS, OWN_ZERO = "encoder off its axis", "zero of each run"
+OFF_AXIS, RIPPLE, OWN_ZERO = "encoder off its axis", "tachometer's ripple", "zero of each run"
 
 
 def unit_instead(factor: float) -> str:
@@ -221,3 +221,21 @@ class OnAxis(MapChange):
 
     def made(self, recording: Recording) -> Recording:
         return replace(recording, runs=put_on_axis(recording.runs, self.off))
+
+
+@dataclass(frozen=True)
+class EvenSpeed(MapChange):
+    """Speeds freed from a ripple that makes the same wave as an encoder off its axis."""
+
+    off: OffAxis
+
+    @property
+    def kind(self) -> str:
+        return RIPPLE
+
+    @property
+    def done(self) -> str:
+        return f"less a ripple of {100.0 * self.off.size:.3g} % once a turn"
+
+    def made(self, recording: Recording) -> Recording:
+        return replace(recording, runs=put_even(recording.runs, self.off))

@@ -75,6 +75,22 @@ def put_on_axis(runs: Sequence[RecordedRun], found: OffAxis) -> tuple[RecordedRu
     return tuple(made)
 
 
+def put_even(runs: Sequence[RecordedRun], found: OffAxis) -> tuple[RecordedRun, ...]:
+    """Runs whose speed has no ripple that would, summed up, make that wave: its position is right.
+
+    Summed up, ``1 + c sin(q) - s cos(q)`` times a speed is the angle less
+    ``c cos(q) + s sin(q)``.
+    """
+    made = []
+    for run in runs:
+        if {found.position, found.speed} <= {*run.channels}:
+            q, shown = run.channels[found.position], run.channels[found.speed]
+            right = shown / (1.0 + found.cosine * np.sin(q) - found.sine * np.cos(q))
+            run = replace(run, channels={**run.channels, found.speed: right})
+        made.append(run)
+    return tuple(made)
+
+
 def off_axis_remarks(
     runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
 ) -> list[Finding]:
