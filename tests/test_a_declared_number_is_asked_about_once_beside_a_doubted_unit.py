@@ -4,7 +4,7 @@ from simpter_hybrid.identification import doubted_channels
 from simpter_hybrid.identification.doubted_channels import Doubt, with_numbers
 from simpter_hybrid.identification.map_changes import Times
 from simpter_hybrid.identification.numbers_instead import NumberInstead
-from simpter_hybrid.identification.reporting.cautions import doubted_sentence
+from simpter_hybrid.identification.reporting.doubted_sentence import doubted_sentence
 
 MASS, LIGHTER = NumberInstead("device.mass", 10.1, 0.15), NumberInstead("device.mass", 9.8, 0.004)
 DRIVE = NumberInstead("load.1.constant", 0.1, 0.3)

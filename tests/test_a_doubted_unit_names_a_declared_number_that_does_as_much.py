@@ -12,7 +12,7 @@ from simpter_hybrid.identification.first_refit import first_refit
 from simpter_hybrid.identification.map_changes import Times
 from simpter_hybrid.identification.numbers_instead import NumberInstead
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.identification.reporting.cautions import doubted_sentence
+from simpter_hybrid.identification.reporting.doubted_sentence import doubted_sentence
 
 DOUBT = Doubt(Times(("position",), 100.0), 0.2)
 

@@ -11,7 +11,7 @@ from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.channel_map import ChannelMap
 from simpter_hybrid.identification.recordings.map_file import RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
-from simpter_hybrid.identification.reporting.cautions import doubted_sentence
+from simpter_hybrid.identification.reporting.doubted_sentence import doubted_sentence
 from simpter_hybrid.measuring.sampling import sample
 
 ROW = 0.01

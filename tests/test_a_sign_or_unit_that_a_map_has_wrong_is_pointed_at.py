@@ -21,7 +21,7 @@ from simpter_hybrid.identification.map_changes import Times
 from simpter_hybrid.identification.recordings.agreement import disagreements, gains_apart
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
-from simpter_hybrid.identification.reporting.cautions import doubted_sentence
+from simpter_hybrid.identification.reporting.doubted_sentence import doubted_sentence
 
 TIME = np.linspace(0.0, 4.0, 801)
 ANGLE = np.sin(2.0 * TIME)

@@ -8,7 +8,7 @@ from simpter_hybrid.identification.doubted_readings import waves_asked
 from simpter_hybrid.identification.map_changes import EvenSpeed, OnAxis
 from simpter_hybrid.identification.recordings.off_axis import OffAxis, put_even
 from simpter_hybrid.identification.recordings.recorded_run import RecordedRun
-from simpter_hybrid.identification.reporting.cautions import doubted_sentence
+from simpter_hybrid.identification.reporting.doubted_sentence import doubted_sentence
 
 OFF = OffAxis("position", "speed", 0.0, -0.03)
 ENCODER, TACHOMETER = OnAxis(("position",), OFF), EvenSpeed(("speed",), OFF)
@@ -51,3 +51,9 @@ def test_the_tachometer_is_asked_as_well_where_the_encoder_does_not_help():
     said = doubted_sentence([Doubt(ENCODER, 1.0)])
     assert said.startswith("Is an encoder off its axis, or does a tachometer ripple?")
     assert "only" not in said
+
+
+@pytest.mark.parametrize(("noise", "all_of_it"), [(0.94, True), (0.9, False)])
+def test_it_is_said_where_what_is_left_is_noise(noise, all_of_it):
+    said = doubted_sentence([Doubt(TACHOMETER, 0.94)], noise)
+    assert ("error is left, no more than noise leaves." in said) is all_of_it

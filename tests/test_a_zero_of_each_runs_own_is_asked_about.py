@@ -12,7 +12,7 @@ from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.map_changes import OWN_ZERO
 from simpter_hybrid.identification.own_zeros import own_zeros
-from simpter_hybrid.identification.reporting.cautions import doubted_sentence
+from simpter_hybrid.identification.reporting.doubted_sentence import doubted_sentence
 
 DECLARED = parse(model(0.4, 'coulomb = "5 N", viscous = "20 N*s/m"'))
 SPLIT = """

@@ -14,7 +14,7 @@ from simpter_hybrid.identification.recordings.off_axis import (
     put_on_axis,
 )
 from simpter_hybrid.identification.recordings.recorded_run import RecordedRun
-from simpter_hybrid.identification.reporting.cautions import doubted_sentence
+from simpter_hybrid.identification.reporting.doubted_sentence import doubted_sentence
 
 TIME = 0.004 * np.arange(2500)
 

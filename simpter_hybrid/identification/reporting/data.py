@@ -22,7 +22,6 @@ from .beyond_fitted import beyond_fitted_sentence
 from .cautions import (
     cut_off_sentence,
     cut_short_sentence,
-    doubted_sentence,
     driver_sentence,
     far_off_sentence,
     in_view_of,
@@ -32,6 +31,7 @@ from .cautions import (
 )
 from .creeping import creeping_sentence
 from .dependence_text import is_straight
+from .doubted_sentence import doubted_sentence
 from .dying_out import dying_out_sentence
 from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
@@ -164,7 +164,9 @@ def _sentences(
             recording.still, verdict_sentence(found) + one_factor_text(found), found.doubts,
             found.cut_short, unfitted, found.far_off, of=len(found.candidates),
         ),
-        "doubted": lambda: doubted_sentence(found.doubts),
+        "doubted": lambda: doubted_sentence(
+            found.doubts, found.search.floor / found.search.refitted.select_error
+        ),
         "apart": lambda: apart_sentence(recording, found.doubts),
         "far_off": lambda: far_off_sentence(found.far_off, _inverse(found, taken)),
         "driver": lambda: driver_sentence(found.remarks),
