@@ -15,7 +15,7 @@ from .fits import check_any_compared, check_fits, nothing_compared
 from .fitting.replay import Replay, measured_like
 from .joints_bench import joints_bench
 from .played_rate import late_ticks
-from .recordings.groups import refuse_halves
+from .recordings.groups import refuse_halves, several
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .recordings.start import refuse_start
@@ -147,4 +147,5 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
             *untold_holds(recording), *drive_remarks(recording, signals),
             *never_rests(recording, signals, noises(recording, signals)),
         ),
+        by_run=several(recording), runs_alone=True,
     )  # fmt: skip

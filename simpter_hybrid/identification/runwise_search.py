@@ -14,6 +14,7 @@ from .fitting.fitted_model import Model, Trial, with_effect
 from .own_refits import Own, fitted_anew, refined, runs_of, times_of, with_own, with_room
 from .own_values import run_levels
 from .run_levels import AS_WELL, RunLevels, differs, likeliest
+from .runwise_told import told_alone
 from .tracing.slow_state import RUN
 from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import WeightedSearch, WeightedSearchResult
@@ -45,8 +46,10 @@ def runwise(
     if not _much(done.corrected.select_error, found) and done.verdict.kind not in LACKING:
         return found, ()
     search.say("asking whether a declared parameter differs from run to run")
-    models = [*_models(found), *_without_effects(found), *_typical(search, found)]
     names = _asked(done.corrected, search.bench.common)
+    if search.bench.runs_alone:
+        return told_alone(found, names)
+    models = [*_models(found), *_without_effects(found), *_typical(search, found)]
     asked = [(model, run_levels(model, runs, found.noise, names)) for model in models]
     told = [(model, levels) for model, levels in asked if levels is not None]
     if not told:

@@ -49,6 +49,8 @@ class Bench:
     by_run : bool
         Whether to ask, of what no effect explains, if a declared parameter differs between runs;
         two halves of one run are none.
+    runs_alone : bool
+        Whether that is asked only of what no effect explains, without a search beside it.
     common : tuple of str
         Declared parameters of which that is not asked.
     """
@@ -65,4 +67,5 @@ class Bench:
     experiments: Plan | None = None
     remarks: tuple[Finding, ...] = ()
     by_run: bool = False
+    runs_alone: bool = False
     common: tuple[str, ...] = ()
