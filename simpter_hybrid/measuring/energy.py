@@ -14,6 +14,9 @@ from .sampling import sample
 #: Slip that beside an event is solver error, in absolute tolerances: a state may err by the root of
 #: their number of these in one step, and a few steps add up.
 SLIP_ERROR = 10.0
+#: A run that turns over less than this share of the energy it carries is at rest or coasts: what
+#: it turns over may be rounding and the solver's error alone.
+NOTHING = 1e-7
 
 
 @dataclass(frozen=True)
@@ -36,9 +39,12 @@ class EnergyBalance:
         Largest magnitude of what is missing at any of the instants looked at.
     turnover : float
         What the residual is measured by: the largest, over the instants, of the energy that has
-        been stored, worked, or dissipated.
+        been stored, worked, dissipated, or exchanged (kinetic or potential energy above its least:
+        a swing without friction exchanges energy while their sum stays).
     relative : float or None
-        ``residual / turnover``; None also where energies are too large for a number.
+        ``residual / turnover``; of a run at rest or coasting, which turns over less than
+        ``NOTHING`` of the energy it carries, ``residual`` by that energy. None also where energies
+        are too large for a number.
     max_clutch_power : float
         Largest power that any clutch delivers [W]; a clutch can only take energy, so never above 0.
     """
@@ -98,14 +104,17 @@ def _balance(s: Samples) -> EnergyBalance:
     stored, missing = stored_energy(s), residual(s)
     lost = s.dissipated.sum(axis=1)
     parts = [abs(s.work_load) + abs(s.work_effects), abs(lost)]
-    if stored is not None:
-        parts.append(abs(stored - stored.min()))
+    if stored is not None and s.potential is not None:
+        # Where nothing works or rubs the sum changes by the residual only, so each counts alone.
+        parts += [each - each.min() for each in (stored, s.kinetic, s.potential)]
     turnover = float(np.max(parts))
     worst = None if missing is None else float(abs(missing).max())
-    if worst is None or not math.isfinite(turnover):
+    if worst is None or s.potential is None or not math.isfinite(turnover):
         relative = None
     else:
-        relative = worst / turnover if turnover > 0.0 else 0.0
+        carried = float(np.max([s.kinetic, abs(s.potential)]))
+        whole = turnover if turnover > NOTHING * carried else carried
+        relative = worst / whole if whole > 0.0 else 0.0
     return EnergyBalance(
         stored_start=None if stored is None else float(stored[0]),
         stored_end=None if stored is None else float(stored[-1]),
