@@ -14,8 +14,9 @@ from ..scenario import Scenario
 
 
 def clutch_path(problems: Problems, i: int) -> KeyPath:
-    """Where a file describes clutch ``i``: ``[clutch]`` if it is one for all."""
-    return ("clutch",) if ("clutch",) in problems.places else ("clutches", i)
+    """Where a file describes clutch ``i``: ``[clutch]`` if that is for all."""
+    own = ("clutches", i)
+    return ("clutch",) if ("clutch",) in problems.places and own not in problems.places else own
 
 
 def check_start(s: Scenario, problems: Problems) -> None:

@@ -145,6 +145,7 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
         As for `scenario_of`.
     """
     from ..reading import sections
+    from ..reading.clutches import read_clutches
     from ..reading.ends import read_stops
     from ..reading.fields import Context
     from ..reading.sensors import read_readings
@@ -167,7 +168,7 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
     values = {
         "name": name,
         "device": device,
-        "clutches": sections.read_clutches(root, device, folder),
+        "clutches": read_clutches(root, device, folder),
         "loads": sections.read_loads(root, context),
         "effects": sections.read_effects(root, context),
         "stops": read_stops(root, context),

@@ -10,7 +10,6 @@ from typing import Any
 
 from ..applied_load import Load
 from ..checks.effect_check import place_of
-from ..clutch import Clutch
 from ..controller import Controller
 from ..device import Device, wrong_dimensions
 from ..devices.pter import Pter
@@ -71,30 +70,6 @@ def _measured(table: TableReader, device: Any) -> Any:
         return device
     said = f"{type(device).__name__}.coordinate_dimensions {device.coordinate_dimensions}"
     return table.problem("kind", f"{said}: {wrong[0]}", wrong[1])
-
-
-def read_clutches(root: TableReader, device: Device | None, folder: Path) -> tuple[Clutch, ...]:
-    """``[clutch]`` for all alike, or one ``[[clutches]]`` each."""
-    context = Context(folder, device)
-    m = device.m if device is not None else 0
-    if "clutches" in root:
-        if "clutch" in root:
-            root.problem("clutch", "clutches are given as well", "[clutch] or [[clutches]]")
-            root.raw("clutch")
-        tables = root.tables("clutches")
-        if device is not None and len(tables) != m:
-            names = ", ".join(device.surfaces)
-            root.problem("clutches", "wrong number of clutches", f"{m}, for {names}")
-        return tuple(_read_clutch(table, context) for table in tables)
-    if device is not None and m == 0 and "clutch" not in root:
-        return ()
-    return (_read_clutch(root.table("clutch"), context),) * m
-
-
-def _read_clutch(table: TableReader, context: Context) -> Clutch:
-    torque = read_part(table.table("torque"), "torque", context)
-    clutch = build(table, Clutch, context, torque=torque)
-    return clutch if clutch is not None and torque is not None else Clutch()  # type: ignore[return-value]
 
 
 def read_controller(
