@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from .assembly.names import unknown_names
 from .device import Device, wrong_dimensions
 from .part import arguments_of
 
@@ -44,11 +45,12 @@ class DeviceFinding(NamedTuple):
 def check_device(device: Device, poses: Sequence[Sequence[float]] = ()) -> list[DeviceFinding]:
     """Findings about a device at the poses given (and eight drawn ones), empty if it is sound.
 
-    Checks what coordinates are said to measure, shapes (every entry written, none beyond), finite
-    numbers, a symmetric and positive definite mass matrix, velocity terms that belong to it (the
-    Christoffel terms, nothing odd in the speeds), damping that never gives energy, a clutch map's
-    rate against differences of the map, conservative forces against their potential, and the tip's
-    Jacobian and its rate against differences of the tip.
+    Checks what coordinates are said to measure, names that functions use without having them,
+    shapes (every entry written, none beyond), finite numbers, a symmetric and positive definite
+    mass matrix, velocity terms that belong to it (the Christoffel terms, nothing odd in the
+    speeds), damping that never gives energy, a clutch map's rate against differences of the map,
+    conservative forces against their potential, and the tip's Jacobian and its rate against
+    differences of the tip.
 
     Parameters
     ----------
@@ -70,7 +72,8 @@ def check_device(device: Device, poses: Sequence[Sequence[float]] = ()) -> list[
         ]
         if found:
             return found
-    return []
+    wired = (*FUNCTIONS, *OPTIONAL, "potential_energy")
+    return [DeviceFinding(*each) for each in unknown_names(device, wired)]
 
 
 def _signatures(device: Device) -> list[DeviceFinding]:

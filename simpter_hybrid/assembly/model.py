@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 
 from ..device import Device
 from ..part import Part, arguments_of, source_of
+from .names import HEADER, unknown_names
 from .slices import stored_into
 
 #: Arguments of the assembled functions.
@@ -26,13 +27,6 @@ SIGNATURES = {
     "control": "k, t, y, tau, p, rec, s, held, mem",
     "jump": "which, t, y, p, rec, held, dmode",
 }
-
-
-#: What the functions of parts may use without naming it.
-HEADER = """import math
-from math import acos, asin, atan, atan2, cos, cosh, exp, floor, hypot, log, pi, sin, sinh, sqrt
-from math import tan, tanh
-"""
 
 #: Signals that only a device of one coordinate and one clutch has.
 SINGLE = ("net", "mass")
@@ -100,8 +94,14 @@ class Assembly:
         Raises
         ------
         WiringError
-            If the function asks for an argument that nothing provides.
+            If the function asks for an argument that nothing provides, or uses a name that the
+            assembled module does not have.
         """
+        for each in unknown_names(part, (name,), self.device):
+            raise WiringError(
+                f"{type(part).__name__}.{name} cannot be put into the model: {each.function} "
+                f"{each.what} ({each.value}); right would be {each.right}"
+            )
         function = part.functions()[name]
         tag = re.sub(r"\W", "_", prefix)
         words = []
