@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ..tracing.limits import IMPERFECT, SINGLE_AXIS
 from ..tracing.locating import located
 from ..tracing.named import REVERSAL, balance_of, coordinate_of
 from ..tracing.signature import Dependence
@@ -14,6 +15,9 @@ from ..tracing.slow_state import RUN
 MENTIONED = 4
 #: A coordinate that takes this part of the square of what is left away tells most of it.
 MOST = 0.5
+#: More of a mean square than this is not called a little beside noise: noise of a drive that is not
+#: white does not put so much into nulls, and where no effect helps it tells of a lack by itself.
+LITTLE = SINGLE_AXIS.dependence
 #: Where a lack sits, by the balance in which it shows.
 PLACES = {
     "friction": "friction, actuator or torque sensor",
@@ -108,8 +112,21 @@ def as_well(coordinates: Sequence[str], straight: bool = False) -> str:
     return " or ".join(said)
 
 
-def hardly_left_text(found: Any, on: str) -> str:
-    """Words on what goes along with coordinates where no more than noise is left."""
+def hardly_left_text(found: Any, on: str, held: float) -> str:
+    """Words on what goes along with coordinates where an effect leaves no more than its limit.
+
+    It is called noise only where the runs held out show no more either (nor more than forms of
+    right effects leave: a limit may allow for a floor that few runs tell), and where so little
+    goes along that it tells of no lack by itself.
+
+    Parameters
+    ----------
+    found : Diagnosis
+    on : str
+        The coordinates, in words.
+    held : float
+        Error on the runs held out, over the floor.
+    """
     last = found.search.rounds[-1]
     left = last.after if last.verdict.accepted is not None else last.before
     parts = [
@@ -119,4 +136,6 @@ def hardly_left_text(found: Any, on: str) -> str:
         if f"{balance}:{d.coordinate}" in found.search.verdict.coordinates
     ]
     much = f" ({100 * max(parts):.1f} % of its mean square)" if parts else ""
+    if held > min(found.limits.form, IMPERFECT) or max(parts, default=0.0) > LITTLE:
+        return f" What is left depends on {on}{much}."
     return f" What is left is noise but for a little{much} that goes along with {on}."

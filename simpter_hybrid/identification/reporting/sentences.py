@@ -96,7 +96,7 @@ def _named(found: Diagnosis) -> str:
             f"The model lacks {text}; {whose} (the error {stays} {ratio:.2f} "
             f"times the floor on the runs that select, {held}){left}.{noise}"
         )
-    rest = hardly_left_text(found, on) if verdict.coordinates else ""
+    rest = hardly_left_text(found, on, held_out(found)) if verdict.coordinates else ""
     return f"The model lacks {text}; with it the error is {held}.{rest}{far}"
 
 
