@@ -189,7 +189,8 @@ def _sentences(
         "beyond_fitted": lambda: beyond_fitted_sentence(found, taken),
         "passed_over": lambda: passed_over_sentence(found.search),
         "repeated": lambda: repeated_sentence(
-            found.repeated, found.over_noise, told_apart_by_the_model(found, taken)
+            found.repeated, found.over_noise, told_apart_by_the_model(found, taken),
+            turns=not is_straight(found),
         ),
         "nearly_repeated": lambda: nearly_repeated_sentence([*found.fitted, *found.split.select]),
         "between_rows": lambda: held_drives_sentence(found, recording),

@@ -23,11 +23,15 @@ ALIKE = 1.5
 
 
 def repeated_sentence(
-    repeated: Sequence[Sequence[str]], over_noise: float, alike: Sequence[Sequence[str]] = ()
+    repeated: Sequence[Sequence[str]],
+    over_noise: float,
+    alike: Sequence[Sequence[str]] = (),
+    turns: bool = False,
 ) -> str:
     """Sentence on which runs count as repeated, where they differ far more than by noise.
 
-    `alike`: those that only the model tells apart.
+    `alike`: those that only the model tells apart.  `turns`: whether something may come once a
+    turn, which a sensor that counts from each start on does not tell.
     """
     if over_noise <= FAR_APART:
         return ""
@@ -46,9 +50,11 @@ def repeated_sentence(
         others = "the others"
     if len(alike) == len(repeated):
         return said
+    angle = ", or the runs began at another angle of something that comes once a turn"
     return (
-        f"{said} If something else was not the same in {others} (another device, a load), log it "
-        "as a `constant` of each run: then they count as no repetition."
+        f"{said} If something else was not the same in {others} (another device, a load)"
+        f"{angle if turns else ''}, log it as a `constant` of each run: then they count as no "
+        "repetition."
     )
 
 
