@@ -6,7 +6,7 @@ off by the same all the time is told wherever speeds differ.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -96,10 +96,16 @@ def _zero(runs: Sequence[_Apart]) -> float | None:
     usual = [np.sqrt(np.mean((run.beside[:, 0] / run.lasts) ** 2)) for run in runs]
     least = max(FAR * float(np.median(scatter)), GAIN * float(np.median(usual)))
     # Of few runs zeros of their own may go along with their speeds, as a gain makes them.
-    told = ([run.off.sum() / run.lasts.sum() for run in runs],
-            [rest.sum() / time.sum() for rest, time in left])  # fmt: skip
-    alike = all((np.abs(each / np.median(each) - 1.0) <= ALIKE).all() for each in told)
+    as_seen = ((run.off, run.lasts) for run in runs)
+    alike = _alike(as_seen) and _alike(left)
     return zero if abs(zero) > least and alike else None
+
+
+def _alike(runs: Iterable[tuple[np.ndarray, np.ndarray]]) -> bool:
+    """Whether what is off, over the time that it takes, is about the same in each run."""
+    each = np.array([off.sum() / time.sum() for off, time in runs])
+    usual = float(np.median(each))
+    return bool((np.abs(each - usual) <= ALIKE * abs(usual)).all())
 
 
 def _apart(
