@@ -13,6 +13,7 @@ from ..going_with import (
     unasked,
 )
 from ..levels_with_speed import goes_with_speed
+from ..order_of_kinds import order_of_kinds
 from ..run_levels import (
     FEWEST,
     RunLevels,
@@ -92,16 +93,26 @@ def _course(levels: RunLevels) -> str:
             )
     if moved := goes_with_speed(levels):
         way = "rises" if moved.tau > 0.0 else "falls"
-        seldom = f"chance does so in {max(1, round(100 * moved.chance))} of 100"
+        seldom = _seldom(moved.chance)
         where = " among the pieces of each run" if moved.pieces else ""
         what = f"how fast a {'piece' if moved.pieces else 'run'} moves{where} ({seldom})"
         said.append(f"{way} with {what}, as what depends on speed does")
+    if ORDER not in sure and (kinds := order_of_kinds(levels)):
+        said.append(
+            f"{'rises' if kinds.tau > 0.0 else 'falls'} on the whole in the order of the runs "
+            f"within each repetition (Kendall's {abs(kinds.tau):.2f}, {_seldom(kinds.chance)}), "
+            "as what warms up or wears does"
+        )
     return (f"; it {' and '.join(said)}" if said else "") + _unasked(levels)
+
+
+def _seldom(chance: float) -> str:
+    return f"chance does so in {max(1, round(100 * chance))} of 100"
 
 
 def _follows(name: str, chance: float, sure: bool, runs: int) -> str:
     """Words on a channel of few levels, at each of which the values are alike."""
-    seldom = "" if sure else f" (chance does so in {max(1, round(100 * chance))} of 100)"
+    seldom = "" if sure else f" ({_seldom(chance)})"
     return f"follows {name.replace('_', ' ')}, which was logged, in all {runs} runs{seldom}"
 
 
