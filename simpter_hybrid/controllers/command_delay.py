@@ -15,7 +15,9 @@ class CommandDelay(Controller):
     """A last stage that hands on the command of a clutch as it was told a while ago.
 
     As `DriveDelay`: what is handed on is the mean, over the sample that begins, of the delayed
-    command.  `DeadTime` keeps commands whole instead, which then take effect at its samples alone.
+    command.  Before the start the first one was told, as the excitation says with which a recorded
+    run begins.  `DeadTime` keeps commands whole instead, which then take effect at its samples
+    alone.
 
     Parameters
     ----------
@@ -37,4 +39,4 @@ class CommandDelay(Controller):
     @staticmethod
     def step(k, time, held, mem, mem_at, delay, clutch):
         at = int(clutch)
-        held[at] = handed_on(held[at], k, time, mem, mem_at, delay)
+        held[at] = handed_on(held[at], k, time, mem, mem_at, delay, 0.0)

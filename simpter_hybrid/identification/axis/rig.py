@@ -19,6 +19,7 @@ from ...loads.ramp import RampOnCoordinate
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
+from ..rigs.begun_at_rest import left_as_told
 from ..rigs.following import MOVES
 from ..rigs.rig import Rig, driven_by, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
@@ -180,6 +181,18 @@ class AxisRig(Rig):
         if not abs(speed[0]) > MOVES * float(np.nanmax(np.abs(speed))):
             return {}
         return {0: float(replay.inputs["drive"][0])}
+
+    def told_nothing_before(self, replay: Replay) -> tuple[int, ...]:
+        """The axis, if it rests and does not stand under its first drive, as one that is held.
+
+        Of what a servo makes of its first reference a record says nothing.
+        """
+        speed, released = replay.notes.get(self.signals.speed), replay.inputs["released"][0] > 0.0
+        if speed is None or released or self.alone or self.servo or self.told_in_motion(replay):
+            return ()
+        position, told = replay.notes[self.signals.position], replay.inputs["drive"]
+        stands = not told[0] or left_as_told(replay.time, position, told) is False
+        return () if stands else (0,)
 
     def start(self, replay: Replay) -> np.ndarray:
         """q and qd at the first sample."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Protocol
 
@@ -113,6 +113,10 @@ class Rig(Protocol):
     def told_in_motion(self, replay: Replay) -> Mapping[int, float]:
         """First input of the drive of each coordinate that moves as the run begins [V]."""
         return {}
+
+    def told_nothing_before(self, replay: Replay) -> Collection[int]:
+        """Coordinates that rest as the run begins, and whose first drive is new to them then."""
+        return ()
 
     def start(self, replay: Replay) -> np.ndarray | None:
         """q and qd at the first sample; None: as the template begins."""

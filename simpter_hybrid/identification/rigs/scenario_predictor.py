@@ -17,6 +17,7 @@ from ...scenario import Scenario
 from ..fitting.effort import AROUND, Effort
 from ..fitting.predictor import Candidate, Parameter
 from ..fitting.replay import Replay
+from .begun_at_rest import delayed_from_rest
 from .declared_off import shared_numbers
 from .effect_candidate import EffectCandidate
 from .following import begun_in_motion, following, with_room
@@ -266,6 +267,8 @@ class ScenarioPredictor:
         # Another stage of the model's may act between the rows.
         staged = len(scenario.controllers) > 1 if alone else None
         period, data = packed(self.rig, replay, scenario.period, staged)
+        resting = partial(self.rig.told_nothing_before, replay)
+        p = delayed_from_rest(p, names, scenario.controllers, period, resting)
         restarts, start = self.rig.restarts(replay), self.rig.start(replay)
         given = GivenRun(
             p, switching, data, replay.time, restarts, start, period, self.rig.excited(replay)
