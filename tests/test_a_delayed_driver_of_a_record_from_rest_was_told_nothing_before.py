@@ -63,3 +63,15 @@ def test_one_that_begins_in_motion_had_been_told_its_first_row(tmp_path):
     replay = _replay(tmp_path, MOVING)
     assert AxisRig().told_nothing_before(replay) == ()
     assert _off(replay, AxisRig()) == _off(replay, Unaware())
+
+
+def test_only_a_first_drive_under_which_it_leaves_is_new(tmp_path):
+    replay = _replay(tmp_path, 0)
+    assert AxisRig().told_nothing_before(replay) == (0,)
+    untold = replay.inputs["drive"].copy()
+    untold[0] = 0.0
+    begun = replace(replay, inputs={**replay.inputs, "drive": untold})
+    assert AxisRig().told_nothing_before(begun) == ()
+    stands = {**replay.notes, "position": np.where(replay.time < 0.5, 0.0, 1.0)}
+    lifted = {**replay.inputs, "drive": np.where(replay.time < 0.5, TOLD, 1.2 * TOLD)}
+    assert AxisRig().told_nothing_before(replace(replay, notes=stands, inputs=lifted)) == ()
