@@ -183,6 +183,7 @@ class ModelText(ClutchText):
             given = self.a.common() | own | {"k": f"k // {every}" if every > 1 else "k"}
             given |= {"tau": "tau", "mem": "mem", "mem_at": str(self.a.memory), "n": str(n)}
             given |= {"m": str(self.device.m), "tip_force_now": "tip_force_now"} | seen
+            self.a.stages.append((given, self.a.memory))
             for word, at in controller.replaces.items():
                 first = self.a.memory + at
                 seen[word] = f"mem[{first}:{first + n}]"

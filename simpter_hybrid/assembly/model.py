@@ -50,6 +50,8 @@ class Assembly:
     memory: int = 0
     modes: int = 0
     guards: list[str] = field(default_factory=list)
+    #: Of every stage, what its arguments are by name, and where its memory begins.
+    stages: list[tuple[dict[str, str], int]] = field(default_factory=list)
 
     def add(self, part: Part, prefix: str) -> dict[str, str]:
         """Register a part's parameters and functions; returns expressions for its parameters.

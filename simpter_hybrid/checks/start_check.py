@@ -11,6 +11,7 @@ from ..part import Part
 from ..problems import KeyPath, Problems
 from ..running.blame import failing_function, first_not_finite, held_not_finite, part_of
 from ..scenario import Scenario
+from .stage_check import check_stages
 
 
 def clutch_path(problems: Problems, i: int) -> KeyPath:
@@ -33,6 +34,8 @@ def check_start(s: Scenario, problems: Problems) -> None:
         what = f"the parts do not fit together ({error})"
         path = _path_in(str(error), s)
         return problems.add(path, what, _kind_at(path, s), "parts that fit the device")
+    if check_stages(s, md, problems):
+        return None
 
     def evaluate() -> None:
         md.terms(0.0, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
