@@ -181,7 +181,9 @@ def _of_tip(tip: Sequence[Any], q: Any, qd: Any) -> list[Piece]:
 def derive_device(name: str, *arguments: Any, **options: Any) -> Device:
     """An object of the class that ``derive_text`` writes, with the parameters' values.
 
-    Takes the arguments of ``derive_text``.
+    Takes the arguments of ``derive_text``, whose help says what they are. For a scenario file write
+    the text that it gives to a module beside the file (``pendulum.py``) and name the class there,
+    ``kind = "pendulum:Pendulum"``; see docs/your-own-device.md.
 
     Parameters
     ----------

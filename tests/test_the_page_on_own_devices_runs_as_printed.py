@@ -39,7 +39,7 @@ def test_its_commands_print_what_stands_there(folder, capsys):
 
 
 def test_its_python_does_what_the_comments_say(folder):
-    assert len(CODE) == 2
+    assert len(CODE) == 3
     run = subprocess.run(
         [sys.executable, "-c", "\n".join(CODE)], capture_output=True, text=True, check=True
     )
