@@ -12,7 +12,7 @@ from scipy.integrate import cumulative_trapezoid
 from .channel_map import ChannelMap
 from .checks import Finding
 from .projection import beyond
-from .row_step import row_step
+from .row_step import gaps, row_step
 
 #: Movements over this long are compared [s]: longer than sensors lag.
 SPAN = 0.1
@@ -258,11 +258,18 @@ def _slopes(moved: np.ndarray, expected: np.ndarray) -> tuple[float, float] | tu
 
 
 def movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray, span: float) -> Movements:
-    """Changes of a position over a span, of the speed's integral and of the speed."""
+    """Changes of a position over a span, of the speed's integral and of the speed.
+
+    None spans a gap: what a speed was in one, its two ends do not tell.
+    """
     known = np.isfinite(position) & np.isfinite(speed)
     time, position, speed = time[known], position[known], speed[known]
     if time.size < 2:
         return np.zeros(0), np.zeros(0), np.zeros(0)
     way = cumulative_trapezoid(speed, time, initial=0.0)
     every = max(1, round(span / row_step(time)))
-    return np.diff(position[::every]), np.diff(way[::every]), np.diff(speed[::every])
+    ends = [rows[::every] for rows in np.split(np.arange(time.size), gaps(time) + 1)]
+    moved, expected, gained = (
+        np.concatenate([np.diff(values[at]) for at in ends]) for values in (position, way, speed)
+    )
+    return moved, expected, gained
