@@ -1,14 +1,15 @@
 """A position that is off by a wave of the angle, as an encoder off its axis shows it.
 
 The speed beside it, summed up, does not have that wave; where each run began need not be known,
-nor a zero of the speed: each run has a straight line of its own.  Nor how late the speed is: what
-that makes of the difference goes along with the speed.
+nor a zero of the speed: each run, or what is between two gaps of one, has a straight line of its
+own.  Nor how late the speed is: what that makes of the difference goes along with the speed.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +20,7 @@ from .channel_map import ChannelMap
 from .checks import Finding
 from .projection import beyond
 from .recorded_run import RecordedRun
+from .row_step import gaps
 
 #: A position is off by a wave if that leaves this part of the mean square of its difference to the
 #: summed speed ...
@@ -27,7 +29,7 @@ LEFT = 0.2
 OF_OTHERS = 0.25
 #: Columns of a run's table.
 WAVE, OTHERS, RATE, CHANGE = slice(1, 3), slice(3, 5), slice(5, 6), 6
-#: Fewest rows of a run that are looked at.
+#: Fewest rows between gaps that are looked at: in fewer a straight line is most of a wave.
 LEAST = 50
 
 
@@ -139,13 +141,25 @@ def _left(learned: np.ndarray, tested: np.ndarray, columns: slice) -> float:
 def _apart(run: RecordedRun, position: str, speed: str) -> np.ndarray:
     """Table (rows, 7) of one run: position less summed speed; cosine and sine; way and its square.
 
-    Then the speed and its rate of change.  Each less a straight line in time.  The way is that of
-    the speed: at one constant speed a wave in the shown position is all that is no straight line
-    in it.
+    Then the speed and its rate of change.  Each less a straight line in time, of its own in each
+    stretch between gaps: how far it went in one, the speed does not tell.
     """
     shown, rate = run.channels[position], run.channels[speed]
     known = np.isfinite(shown) & np.isfinite(rate)
     time, shown, rate = run.time[known], shown[known], rate[known]
+    if time.size <= LEAST:
+        return np.zeros((0, 7))
+    ends = [0, *(gaps(time) + 1).tolist(), time.size]
+    parts = (slice(a, b) for a, b in pairwise(ends))
+    return np.concatenate([_between_gaps(time[p], shown[p], rate[p]) for p in parts])
+
+
+def _between_gaps(time: np.ndarray, shown: np.ndarray, rate: np.ndarray) -> np.ndarray:
+    """What `_apart` tells of rows (rows, 7) of which none is missing; none of too few of them.
+
+    The way is that of the speed: at one constant speed a wave in the shown position is all that is
+    no straight line in it.
+    """
     if time.size <= LEAST:
         return np.zeros((0, 7))
     way = cumulative_trapezoid(rate, time, initial=0.0)
