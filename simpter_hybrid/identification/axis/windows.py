@@ -23,6 +23,8 @@ from ..recordings.smoothing import (
     speed_width,
     whole,
 )
+from ..rigs.begun_at_rest import left_as_told
+from ..rigs.following import MOVES
 from .force_sensor import LONGEST
 from .signals import AxisSignals
 
@@ -74,13 +76,32 @@ def window_starts(
 def rows_untold(run: RecordedRun, s: AxisSignals) -> int:
     """Number of first rows to ignore because of commands from before the record.
 
-    A commanded drive that is late may still be executing them.  0 for a short run, and for a drive
-    that a sensor saw.
+    A commanded drive that is late may still be executing them.  0 for a short run, for a drive
+    that a sensor saw, and for a run that leaves its rest under its first drive: nothing was told
+    before, and its first rows tell how late the drive can be at most.
     """
     if not {*s.drive} & {*s.told} & run.channels.keys():
         return 0
+    if _new_at_rest(run, s):
+        return 0
     rows = int(np.searchsorted(run.time, run.time[0] + LONGEST))
     return rows if run.time[-1] - run.time[0] > 2.0 * WINDOW else 0
+
+
+def _new_at_rest(run: RecordedRun, s: AxisSignals) -> bool:
+    """Whether a run begins at rest, and leaves under a drive that is new to it then."""
+    told = [run.channels[n] for n in s.drive if n in s.told and n in run.channels]
+    off = s.engaged in run.channels and not run.channels[s.engaged][0]
+    if off or s.position not in run.channels or len(told) != 1 or not told[0][0]:
+        return False
+    position = run.channels[s.position]
+    known = run.channels.get(s.speed)
+    speed = known if known is not None else rate_of_change(
+        run.time, position, speed_width(row_step(run.time))
+    )  # fmt: skip
+    if not abs(speed[0]) <= MOVES * float(np.nanmax(np.abs(speed))):
+        return False
+    return left_as_told(run.time, position, told[0]) is True
 
 
 def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
