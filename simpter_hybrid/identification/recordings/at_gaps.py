@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from .columns import Places
+from .columns import Columns
 from .map_file import RecordingMap
 from .recorded_run import RecordedRun
 from .row_step import gaps
@@ -13,7 +13,7 @@ from .text_table import body_of
 
 
 def columns_at_gaps(
-    files: Sequence[str], described: RecordingMap, runs: Sequence[RecordedRun], places: Places
+    files: Sequence[str], described: RecordingMap, runs: Sequence[RecordedRun], columns: Columns
 ) -> tuple[str, ...]:
     """Names of the columns that change at every gap of time, and nowhere else.
 
@@ -25,11 +25,16 @@ def columns_at_gaps(
     files : sequence of str
     described : RecordingMap
     runs : sequence of RecordedRun
-    places : Places
+    columns : Columns
     """
+    places = columns.places
     if described.run_columns or len(files) != 1 or not places.lines.size:
         return ()
-    behind = {int(places.lines[r.rows[0] + k + 1]) for r in runs for k in gaps(r.time).tolist()}
+    behind: set[int] = set()
+    for run in runs:
+        # Where rows are left out for a shifted channel, the file has no gap.
+        time = described.stamps(columns.numbers, run.rows) if run.without else run.time
+        behind |= {int(places.lines[run.rows[0] + k + 1]) for k in gaps(time).tolist()}
     if not behind:
         return ()
     _, body = body_of(files[0], described.layout)

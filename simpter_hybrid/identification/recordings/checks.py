@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -69,16 +69,19 @@ class Finding:
 
 def check_run(
     name: str,
-    rows: tuple[int, int],
+    row: Callable[[int], int],
     time: np.ndarray,
     channels: Mapping[str, np.ndarray],
     described: RecordingMap,
 ) -> list[Finding]:
-    """Everything wrong with one run whose cells are numbers where numbers are wanted."""
+    """Everything wrong with one run whose cells are numbers where numbers are wanted.
+
+    `row`: which one of the file a sample is.
+    """
 
     def at(k: int, what: str, value, right: str, fatal: bool = False) -> Finding:
         when = float(time[k]) if time.size else float("nan")
-        return Finding(name, what, f"{value}", right, rows[0] + int(k), when, fatal)
+        return Finding(name, what, f"{value}", right, row(int(k)), when, fatal)
 
     found = list(_timing(time, at))
     if any(f.fatal for f in found):
@@ -134,10 +137,13 @@ def stamped_to(steps: np.ndarray) -> float:
     return float(decimal) if whole.all() else 0.0
 
 
-def gap_remarks(name: str, first_row: int, time: np.ndarray, parted: str = "") -> Iterator[Finding]:
+def gap_remarks(
+    name: str, row: Callable[[int], int], time: np.ndarray, parted: str = ""
+) -> Iterator[Finding]:
     """Where rows are missing in a run, if they are; of stamps that were put right.
 
-    `parted`: what in the map would make runs of their own of what is between them, if known.
+    `row`: which one of the file a sample is.  `parted`: what in the map would make runs of their
+    own of what is between them, if known.
     """
     found, steps = gaps(time), np.diff(time)
     if found.size:
@@ -148,7 +154,7 @@ def gap_remarks(name: str, first_row: int, time: np.ndarray, parted: str = "") -
             "gaps leave too little between them"
         )
         right += f"; {parted} begins another run there" if parted else ""
-        yield Finding(name, what, f"{steps[k]:.3g} s", right, first_row + k, float(time[k]))
+        yield Finding(name, what, f"{steps[k]:.3g} s", right, row(k), float(time[k]))
 
 
 def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:

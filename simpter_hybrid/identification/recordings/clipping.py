@@ -134,4 +134,4 @@ def _finding(
     what += f"{stretches.size[cut].sum()} samples in all, the first here: cut off?"
     right = "a sensor whose range is not left; or `limits` in the map, if it can be no more"
     got = channel.written(float(stretches.value[k]))
-    return Finding(run.name, what, got, right, run.rows[0] + first, float(run.time[first]))
+    return Finding(run.name, what, got, right, run.row(first), float(run.time[first]))

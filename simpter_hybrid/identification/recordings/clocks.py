@@ -10,7 +10,7 @@ from ...problems import Problems
 from .channel_map import ChannelMap
 from .columns import Columns
 from .map_file import RecordingMap
-from .row_step import row_step
+from .row_step import gaps, row_step
 from .runs import RunSpan
 
 #: What is held changes at a row's stamp if it does so within this part of a step.
@@ -71,10 +71,29 @@ def _held(time: np.ndarray, own: np.ndarray, channel: ChannelMap) -> np.ndarray:
 
 
 def known_at(time: np.ndarray, channel: ChannelMap) -> np.ndarray:
-    """Mask of rows for which the time-shifted channel has data (samples,): no extrapolation."""
+    """Mask of rows for which the time-shifted channel has data (samples,): no extrapolation.
+
+    Nor a straight line, or a value that holds, across a gap.
+    """
     own = time + channel.clock_shift
     near = 1e-6 * row_step(own) if own.size > 1 else 0.0
-    return (time >= own[0] - near) & (time <= own[-1] + near)
+    return (time >= own[0] - near) & (time <= own[-1] + near) & ~in_gaps(time, channel)
+
+
+def in_gaps(time: np.ndarray, channel: ChannelMap) -> np.ndarray:
+    """Mask of rows that fall into a gap of a time-shifted channel's own stamps (samples,)."""
+    lost = np.zeros(time.size, bool)
+    # Stamps that go back are refused by themselves.
+    if time.size < 2 or not channel.clock_shift or np.any(np.diff(time) < 0.0):
+        return lost
+    own, step = time + channel.clock_shift, row_step(time)
+    near = (1e-6 if channel.held == "sampled" else NEAREST) * step
+    # What is held does so for a row.
+    behind = step - near if channel.held == "after" else near
+    before = step - near if channel.held == "before" else near
+    for k in gaps(time).tolist():
+        lost |= (time > own[k] + behind) & (time < own[k + 1] - before)
+    return lost
 
 
 def rows_of_all(time: np.ndarray, described: RecordingMap) -> slice:

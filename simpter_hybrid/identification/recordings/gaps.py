@@ -40,7 +40,7 @@ def left_out(recording: Recording, shortest: float) -> tuple[Finding, ...]:
     return tuple(
         Finding(
             run.name, what, f"{_lasts(run, span):.3g} s", right,
-            run.rows[0] + span.start, float(run.time[span.start]),
+            run.row(span.start), float(run.time[span.start]),
         )
         for run in recording.runs
         if (kept := _kept(run, shortest)) != [_whole(run)]
@@ -77,7 +77,7 @@ def _lasts(run: RecordedRun, span: slice) -> float:
 
 def _piece(run: RecordedRun, span: slice, part: str) -> RecordedRun:
     # A part is no repetition of the others.
-    rows = run.rows[0] + span.start, run.rows[0] + span.stop
+    rows = run.row(span.start), run.row(span.stop - 1) + 1
     return replace(
         run.only(span), name=run.name + part, experiment=run.experiment + part, rows=rows,
         cut_from=name_of_whole(run),

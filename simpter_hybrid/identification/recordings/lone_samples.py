@@ -74,5 +74,5 @@ def lone_sample_remarks(
             if found.size == 1:
                 what = f"{name} is beside its course in a single sample"
             right = "a sample between those beside it: leave its row out"
-            row, stamp = run.rows[0] + k, float(run.time[k])
+            row, stamp = run.row(k), float(run.time[k])
             yield Finding(run.name, what, channel.written(values[k]), right, row, stamp)

@@ -105,7 +105,7 @@ def lone_speed_remarks(
             for k in lone_speeds(run.time, values, position):
                 right = _right(channel, values[[k - 1, k + 1]], driven)
                 what = f"{name} {LONE}"
-                where = run.rows[0] + int(k), float(run.time[k])
+                where = run.row(int(k)), float(run.time[k])
                 yield Finding(run.name, what, channel.written(values[k]), right, *where)
 
 

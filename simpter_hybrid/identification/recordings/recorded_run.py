@@ -10,7 +10,7 @@ import numpy as np
 
 from .cells import not_logged
 from .channel_map import ChannelMap
-from .clocks import known_at, moved, rows_of_all
+from .clocks import in_gaps, known_at, moved, rows_of_all
 from .columns import Columns
 from .map_file import RecordingMap
 from .outliers import bridged, outlying
@@ -45,6 +45,9 @@ class RecordedRun:
         As of `RunSpan`.
     begins : bool
         Whether its first sample is the first row of a whole run.
+    without : tuple of int
+        Rows among its own of which there is no sample: those beside gaps for which a channel that
+        was moved in time has no data.
     """
 
     name: str
@@ -57,6 +60,18 @@ class RecordedRun:
     cut_from: str = ""
     piece: int = 0
     begins: bool = False
+    without: tuple[int, ...] = ()
+
+    def row(self, sample: int) -> int:
+        """Which row of the file a sample is, from 0 behind the header."""
+        row = self.rows[0] + sample
+        for lost in self.without:
+            row += self.rows[0] <= lost <= row
+        return row
+
+    def before(self, row: int) -> int:
+        """How many samples come before a row of the file."""
+        return row - self.rows[0] - sum(self.rows[0] <= lost < row for lost in self.without)
 
     def compared(self, signal: str) -> np.ndarray:
         """Samples of a signal that are no outliers (samples,)."""
@@ -127,7 +142,7 @@ def _recorded(
     run = replace(pieces[0], rows=(pieces[0].rows[0], pieces[-1].rows[1]))
     first, last = run.rows
     time = described.stamps(columns.numbers, run.rows)
-    kept = rows_of_all(time, described)
+    kept, without = _known_rows(run.rows, columns, described)
     channels, outliers = {}, {}
     for signal, channel in described.channels.items():
         if _lacks(run.rows, columns, described, signal):
@@ -147,11 +162,34 @@ def _recorded(
             if marked.any():
                 outliers[signal] = (moved(time, marked.astype(float), channel) > 0.0)[kept]
         channels[signal] = _filtered_and_moved(time, values, applies, channel)[kept]
-    rows = first + kept.start, first + kept.stop
+    there = np.arange(time.size)[kept]
+    begin, end = (int(there[0]), int(there[-1]) + 1) if there.size else (0, 0)
+    rows, begins = (first + begin, first + end), begin == 0 and run.piece <= 1
     return RecordedRun(
         run.name, run.experiment, run.group, rows, time[kept], channels, outliers,
-        run.cut_from, run.piece, begins=kept.start == 0 and run.piece <= 1,
+        run.cut_from, run.piece, begins, without,
     )  # fmt: skip
+
+
+def _known_rows(
+    rows: tuple[int, int], columns: Columns, described: RecordingMap
+) -> tuple[slice | np.ndarray, tuple[int, ...]]:
+    """Those of a run's rows for which shifted channels have data; which others are among them.
+
+    What applies in a part of the run has no values in the others of its own rows.
+    """
+    time = described.stamps(columns.numbers, rows)
+    kept, lost = rows_of_all(time, described), np.zeros(time.size, bool)
+    for signal, channel in described.channels.items():
+        there = channel.clock_shift and columns.applies(channel, rows).all()
+        if there and not _lacks(rows, columns, described, signal):
+            lost |= in_gaps(time, channel)
+    if not lost[kept].any():
+        return kept, ()
+    if lost[kept].all():
+        return slice(0, 0), ()
+    without = rows[0] + kept.start + np.flatnonzero(lost[kept])
+    return kept.start + np.flatnonzero(~lost[kept]), tuple(without.tolist())
 
 
 def _filtered_and_moved(
@@ -164,7 +202,7 @@ def _filtered_and_moved(
             seen = channel.filter.apply(own, seen)
         if channel.clock_shift:
             seen = moved(own, seen, channel)
-            if own.size < time.size:  # of a whole run such rows are left out
+            if own.size < time.size:  # of what applies in all rows these are left out
                 seen = np.where(known_at(own, channel), seen, np.nan)
         values[stretch] = seen
     return values
@@ -174,7 +212,9 @@ def _piece(made: RecordedRun, piece: RunSpan) -> RecordedRun:
     """What `piece` has of a run that was made with its neighbours."""
     first, last = made.rows
     begin, end = (min(max(row, first), last) for row in piece.rows)
-    cut = made.only(slice(begin - first, end - first))
+    cut = made.only(slice(made.before(begin), made.before(end)))
+    if cut.time.size:  # rows of which there is no sample are not its ends
+        begin, end = made.row(made.before(begin)), made.row(made.before(end) - 1) + 1
     return replace(
         cut, name=piece.name, experiment=piece.experiment, group=piece.group, rows=(begin, end),
         outliers={name: marked for name, marked in cut.outliers.items() if marked.any()},

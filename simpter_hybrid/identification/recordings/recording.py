@@ -137,9 +137,9 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     described = with_noise_left(runs, columns, described)
     described, marked = with_noise_of_stamps(recorded, described)
     recorded, timed = evenly_sampled(recorded, described.channels)
-    at_gaps = columns_at_gaps(files, described, recorded, columns.places)
+    at_gaps = columns_at_gaps(files, described, recorded, columns)
     parted = as_boundaries(at_gaps) if at_gaps else ""
-    missing = [f for r in recorded for f in gap_remarks(r.name, r.rows[0], r.time, parted)]
+    missing = [f for r in recorded for f in gap_remarks(r.name, r.row, r.time, parted)]
     known = [(run.time, run.channels) for run in recorded]
     moved, little = _moved(known, described, columns.places, problems)
     zeros = tuple(speed_zeros(known, described.channels))
@@ -235,7 +235,7 @@ def _checked(
     spread = {run.whole.rows for run, cells in zip(runs, none, strict=True) if cells}
     for run, made, cells in zip(runs, every, none, strict=True):
         channels = _whole(made) if run.whole.rows in spread else made.channels
-        found = [*cells, *check_run(made.name, made.rows, made.time, channels, described)]
+        found = [*cells, *check_run(made.name, made.row, made.time, channels, described)]
         if not cells:
             found += check_outliers(run, columns, described, reach)
             found += check_repeated(run, columns, described)

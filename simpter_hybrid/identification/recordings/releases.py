@@ -116,4 +116,4 @@ def _turns(course: np.ndarray, noise: float) -> bool:
 
 
 def _from(run: RecordedRun, row: int) -> RecordedRun:
-    return replace(run.only(slice(row, None)), rows=(run.rows[0] + row, run.rows[1]))
+    return replace(run.only(slice(row, None)), rows=(run.row(row), run.rows[1]))
