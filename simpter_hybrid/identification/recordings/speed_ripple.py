@@ -3,7 +3,7 @@
 Tachometers, resolvers and encoders off their axis do that.  A force that repeats with the place
 moves a mass the less the faster it passes; a sensor's error stays the same part of the speed.  So
 the record itself tells the one from the other where it is of several speeds.  Where each run began
-need not be known: each has a phase of its own.
+need not be known: each has a phase of its own; of a speed alone each stretch between gaps.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.integrate import cumulative_trapezoid
 from scipy.ndimage import maximum_filter1d
 from scipy.optimize import minimize_scalar
 from scipy.signal import savgol_filter
@@ -24,6 +23,7 @@ from .checks import Finding
 from .recorded_run import RecordedRun
 from .row_step import row_step
 from .smoothing import even_stretches, odd
+from .ways import Moved, motions_of
 
 #: Motion is what a cubic over this long follows [s]; a ripple is looked for in what it does not.
 MOTION = 0.15
@@ -69,14 +69,6 @@ class Ripple(NamedTuple):
     part: float
 
 
-class Moved(NamedTuple):
-    """A run: time stamps [s], the position and the measured speed (samples,), all finite."""
-
-    time: np.ndarray
-    position: np.ndarray
-    speed: np.ndarray
-
-
 class _Rest(NamedTuple):
     """Part of a run's speed that no motion explains, where it is compared: in even stretches."""
 
@@ -98,29 +90,19 @@ def sensors_put_right(
         if not name.startswith("speed") or channel.role != "measured":
             continue
         position = name.replace("speed", "position", 1)
-        told = {k: _moved(r, name, position) for k, r in enumerate(made) if name in r.channels}
-        told = {k: moved for k, moved in told.items() if moved.time.size > LEAST}
+        told = [
+            (k, rows, moved)
+            for k, run in enumerate(made) if name in run.channels
+            for rows, moved in motions_of(run, name, position) if moved.time.size > LEAST
+        ]  # fmt: skip
         turning = is_unit(channel.unit, "angular_speed")
-        speeds, ripples = without_ripple(list(told.values()), turning)
-        for (k, moved), speed in zip(told.items(), speeds if ripples else (), strict=False):
-            right = made[k].channels[name] + (speed - moved.speed)
+        speeds, ripples = without_ripple([moved for *_, moved in told], turning)
+        for (k, rows, moved), speed in zip(told, speeds if ripples else (), strict=False):
+            right = made[k].channels[name].copy()
+            right[rows] += speed - moved.speed
             made[k] = replace(made[k], channels={**made[k].channels, name: right})
         found += [_remark(name, ripple, turning) for ripple in ripples]
     return made, found
-
-
-def _moved(run: RecordedRun, speed: str, position: str) -> Moved:
-    """A run's motion, without gaps; the position summed up where none was recorded."""
-    row = np.arange(run.time.size)
-
-    def whole(values: np.ndarray) -> np.ndarray:
-        known = np.isfinite(values)
-        return np.interp(row, row[known], values[known]) if known.any() else np.zeros(row.size)
-
-    v = whole(run.channels[speed])
-    if position in run.channels:
-        return Moved(run.time, whole(run.channels[position]), v)
-    return Moved(run.time, cumulative_trapezoid(v, run.time, initial=0.0), v)
 
 
 def _remark(name: str, ripple: Ripple, turning: bool) -> Finding:
