@@ -12,6 +12,7 @@ import numpy as np
 from .channel_map import ChannelMap
 from .checks import Finding
 from .recorded_run import RecordedRun
+from .row_step import gaps
 
 #: Fewest corners that tell, and the part of them that has to come at every k-th row.
 CORNERS, IN_STEP = 20, 0.95
@@ -49,6 +50,9 @@ def made_up_rows(
 def _remark(signal: str, runs: Sequence[RecordedRun]) -> Finding | None:
     for run in (r for r in runs if signal in r.channels):
         values = run.channels[signal]
+        if run.time.size > 1:
+            # Behind a gap readings may come at other rows: one stretch tells of itself alone.
+            values = max(np.split(values, gaps(run.time) + 1), key=len)
         if np.isfinite(values).all() and (apart := corners_apart(values)) > 1:
             what = f"{signal} goes straight for {apart} rows at a time: are those between made up?"
             right = "the rows that were read alone: those between tell of no noise"
