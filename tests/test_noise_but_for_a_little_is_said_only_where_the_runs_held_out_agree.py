@@ -27,9 +27,16 @@ def test_a_little_beside_noise_is_called_so():
     )
 
 
-@pytest.mark.parametrize(("part", "held"), [(0.012, 1.492), (0.117, 1.05), (0.294, 1.492)])
+@pytest.mark.parametrize(("part", "held"), [(0.012, 1.492), (0.294, 1.492)])
 def test_else_it_is_said_to_depend_plainly(part, held):
     said = hardly_left_text(found(part), "acceleration", held)
     assert said == (
         f" What is left depends on acceleration ({100 * part:.1f} % of its mean square)."
+    )
+
+
+def test_more_than_a_little_of_what_is_as_large_as_noise_is_told_as_both():
+    said = hardly_left_text(found(0.19), "speed", 1.0)
+    assert said == (
+        " What is left is as large as noise, but goes along with speed (19.0 % of its mean square)."
     )

@@ -136,6 +136,8 @@ def hardly_left_text(found: Any, on: str, held: float) -> str:
         if f"{balance}:{d.coordinate}" in found.search.verdict.coordinates
     ]
     much = f" ({100 * max(parts):.1f} % of its mean square)" if parts else ""
-    if held > min(found.limits.form, IMPERFECT) or max(parts, default=0.0) > LITTLE:
+    if held > min(found.limits.form, IMPERFECT):
         return f" What is left depends on {on}{much}."
+    if max(parts, default=0.0) > LITTLE:
+        return f" What is left is as large as noise, but goes along with {on}{much}."
     return f" What is left is noise but for a little{much} that goes along with {on}."
