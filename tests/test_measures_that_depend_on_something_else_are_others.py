@@ -14,6 +14,13 @@ LIMIT = 0.5
 MODULE = "import scale_beside\nLIMIT = {}\ndef late(run):\n    return dict(late=LIMIT)\n"
 
 
+TABLE = [1.0, 2.0]
+
+
+def tabled(run):
+    return {"x": TABLE[0]}
+
+
 def scaled(run, k=1.0):
     return {"x": k * LIMIT}
 
@@ -82,3 +89,9 @@ def test_a_module_without_a_source_is_refused(tmp_path):
             "line-y24", {"run.t_end": ["1 ms"]}, tmp_path / "s", engine="reference",
             measures=made["late"],
         )  # fmt: skip
+
+
+def test_a_table_that_is_changed_meanwhile_counts(monkeypatch):
+    before = measures_identity(tabled)
+    monkeypatch.setitem(globals(), "TABLE", [3.0, 2.0])
+    assert measures_identity(tabled) != before

@@ -26,6 +26,7 @@ from math import log10, log1p, log2
 
 #: What is the matter with a name.
 ABSENT = "which the text of a model does not have"
+ANOTHER = "which is something else in the text of a model"
 
 
 class Unknown(NamedTuple):
@@ -75,9 +76,16 @@ def _unknown(function: Callable, name: str, uses: tuple[Callable, ...]) -> tuple
             if word in helpers:
                 if (helpers[word], word) not in reached:
                     reached.append((helpers[word], word))
-            elif word not in _known() or meant is not _known()[word]:
+            elif word not in _known():
                 found.append(Unknown(called, f"uses {word}, {ABSENT}", *_advice(word, meant)))
+            elif not _same(meant, _known()[word]):
+                found.append(Unknown(called, f"uses {word}, {ANOTHER}", *_advice(word, meant)))
     return tuple(found)
+
+
+def _same(meant: Any, known: Any) -> bool:
+    """One object, or one number: pi of NumPy is that of math."""
+    return meant is known or (isinstance(known, float) and type(meant) is float and meant == known)
 
 
 def _globals_of(code: CodeType) -> Iterator[str]:

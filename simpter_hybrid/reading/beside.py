@@ -148,7 +148,11 @@ def _add_imported(texts: dict[str, str], name: str, folder: Path, going_to: bool
 
     With ``going_to`` also of those that a function imports when it is called.
     """
-    for node in ast.walk(ast.parse(texts[name])):
+    try:
+        tree = ast.parse(texts[name])
+    except SyntaxError:  # of another Python, say: what it would import cannot be told
+        return
+    for node in ast.walk(tree):
         named = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
         if isinstance(node, ast.ImportFrom) and node.module and not node.level:
             named = [node.module]
@@ -156,7 +160,7 @@ def _add_imported(texts: dict[str, str], name: str, folder: Path, going_to: bool
             file = folder / f"{each}.py"
             later = going_to and each not in sys.modules and file.is_file()
             if each not in texts and (later or _is_in(sys.modules.get(each), file)):
-                texts[each] = file.read_text(encoding="utf-8")
+                texts[each] = file.read_text(encoding="utf-8", errors="backslashreplace")
                 _add_imported(texts, each, folder, going_to)
 
 

@@ -8,6 +8,7 @@ import hashlib
 import inspect
 import sys
 from collections.abc import Mapping
+from pathlib import PurePath
 from types import BuiltinFunctionType, CellType, CodeType, FunctionType, MethodType, ModuleType
 from typing import Any
 
@@ -17,7 +18,9 @@ from ..reading.beside import texts_with_imported
 from .base import fingerprint
 from .brief import OwnMeasure
 
-PLAIN = (bool, int, float, complex, str, bytes, type(None), type(...))
+PLAIN = (
+    bool, int, float, complex, str, bytes, type(None), type(...), range, slice, PurePath,
+)  # fmt: skip
 #: Identified by their names: they change with the program under them alone, which counts as well.
 NAMED = (BuiltinFunctionType, np.ufunc, ModuleType)
 
@@ -112,12 +115,23 @@ def _of_code(value: Any, inside: tuple[int, ...]) -> Any:
 
 def _of_function(made: FunctionType, inside: tuple[int, ...]) -> Any:
     # Constants of a module may be set while the program runs: their values count as well.
-    names = [name for name in _names(made.__code__) if isinstance(_global(made, name), PLAIN)]
+    names = [name for name in _names(made.__code__) if _is_plain(_global(made, name))]
     constants = {name: made.__globals__[name] for name in names if name in made.__globals__}
     around = [_content(cell) for cell in made.__closure__ or ()]
     bound = (made.__defaults__, made.__kwdefaults__ or {}, around, constants)
     code, texts = _of_instructions(made.__code__), _texts(made)
     return ["function", made.__qualname__, texts, code, *(_told(each, inside) for each in bound)]
+
+
+def _is_plain(value: Any) -> bool:
+    """Whether it is a constant, or a table of constants."""
+    if isinstance(value, list | tuple | set | frozenset):
+        return all(map(_is_plain, value))
+    if isinstance(value, Mapping):
+        return all(_is_plain(k) and _is_plain(v) for k, v in value.items())
+    if isinstance(value, np.ndarray | np.generic):
+        return not value.dtype.hasobject
+    return isinstance(value, PLAIN)
 
 
 def _global(made: FunctionType, name: str) -> Any:
@@ -153,6 +167,10 @@ def _texts(made: Any) -> Mapping[str, str]:
         return {}
     try:
         return texts_with_imported(module, inspect.getsource(module))  # type: ignore[arg-type]
+    except (OSError, TypeError):
+        pass
+    try:  # of a notebook's cell its own text is all that there is
+        return {"": inspect.getsource(made)}
     except (OSError, TypeError):
         what = "a measure of a module whose source cannot be read"
         raise UnidentifiedMeasure(what, _name(made)) from None

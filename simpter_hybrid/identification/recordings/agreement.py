@@ -257,6 +257,12 @@ def _slopes(moved: np.ndarray, expected: np.ndarray) -> tuple[float, float] | tu
     return together / alone, itself / together
 
 
+def ends_of_movements(time: np.ndarray, span: float) -> list[np.ndarray]:
+    """Rows at which movements over a span begin and end, of every stretch between gaps."""
+    every = max(1, round(span / row_step(time)))
+    return [rows[::every] for rows in np.split(np.arange(time.size), gaps(time) + 1)]
+
+
 def movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray, span: float) -> Movements:
     """Changes of a position over a span, of the speed's integral and of the speed.
 
@@ -267,8 +273,7 @@ def movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray, span: f
     if time.size < 2:
         return np.zeros(0), np.zeros(0), np.zeros(0)
     way = cumulative_trapezoid(speed, time, initial=0.0)
-    every = max(1, round(span / row_step(time)))
-    ends = [rows[::every] for rows in np.split(np.arange(time.size), gaps(time) + 1)]
+    ends = ends_of_movements(time, span)
     moved, expected, gained = (
         np.concatenate([np.diff(values[at]) for at in ends]) for values in (position, way, speed)
     )

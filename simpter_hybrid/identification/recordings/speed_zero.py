@@ -11,11 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .agreement import FEW, GAIN, SPAN, TELLING, Runs, beside, movements
+from .agreement import FEW, GAIN, SPAN, TELLING, Runs, beside, ends_of_movements, movements
 from .channel_map import ChannelMap
 from .checks import Finding
 from .projection import beyond
-from .row_step import row_step
 
 #: Part of the time's mean square that speeds leave of it: where all are one speed a zero is a gain.
 TOLD = 0.2
@@ -114,5 +113,6 @@ def _apart(
     """What a run's speed, summed up over a tenth of a second each, has more than its position."""
     moved, expected, gained = movements(time, found[position], found[speed], SPAN)
     known = time[np.isfinite(found[position]) & np.isfinite(found[speed])]
-    every = max(1, round(SPAN / row_step(known))) if known.size > 1 else 1
-    return _Apart(expected - moved, np.column_stack([expected, gained]), np.diff(known[::every]))
+    ends = ends_of_movements(known, SPAN) if known.size > 1 else [np.zeros(0, int)]
+    lasts = np.concatenate([np.diff(known[at]) for at in ends])
+    return _Apart(expected - moved, np.column_stack([expected, gained]), lasts)

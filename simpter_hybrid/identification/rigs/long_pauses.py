@@ -45,9 +45,12 @@ def cut_at_long_pauses(recording: Recording) -> Recording:
 
 
 def _spans(run: RecordedRun) -> Sequence[slice]:
-    pauses = np.diff(run.time)
-    long = np.flatnonzero(pauses > min(LONG, ROWS * row_step(run.time))) + 1
+    long = np.flatnonzero(np.diff(run.time) > _longest(run)) + 1
     return [slice(a, b) for a, b in pairwise([0, *long.tolist(), run.time.size])]
+
+
+def _longest(run: RecordedRun) -> float:
+    return min(LONG, ROWS * row_step(run.time))
 
 
 def _cut(run: RecordedRun, spans: Sequence[slice], short: int) -> Finding:
@@ -58,7 +61,8 @@ def _cut(run: RecordedRun, spans: Sequence[slice], short: int) -> Finding:
     return Finding(
         run.name, "a long pause, behind which a run of its own begins",
         f"{run.time[last] - run.time[last - 1]:.4g} s",
-        f"under {LONG:g} s; a column in the map's [runs] boundaries may name what is behind{left}",
+        f"at most {_longest(run):.4g} s; a column in the map's [runs] boundaries may name what is "
+        f"behind{left}",
         run.rows[0] + last, float(run.time[last]),
     )  # fmt: skip
 
