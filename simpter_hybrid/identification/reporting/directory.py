@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import json
-import os
-import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
+from ...files.replaced_files import PARTIAL, replace_files
 from ...files.run_directory import check_makeable
 from ...problems import InvalidInput, Problem
 
 #: What a diagnosis is known by; it lists all of them under "files".
 MARK = "diagnosis.json"
-#: How the name of what a diagnosis that was killed has left begins.
-PARTIAL = ".partial-"
 
 
 def check_free(directory: Path, overwrite: bool = False) -> None:
@@ -65,20 +62,7 @@ def put(directory: Path, files: Mapping[str, bytes]) -> None:
     OSError
         If it cannot be written; a directory made for it is then taken away again.
     """
-    new = not directory.exists()
-    directory.mkdir(parents=True, exist_ok=True)
-    try:
-        with tempfile.TemporaryDirectory(prefix=PARTIAL, dir=directory) as held:
-            for name, content in files.items():
-                (Path(held) / name).write_bytes(content)
-            for name in _of_earlier(directory) - set(files):
-                (directory / name).unlink(missing_ok=True)
-            for name in files:
-                os.replace(Path(held) / name, directory / name)
-    except BaseException:
-        if new and not any(directory.iterdir()):
-            directory.rmdir()
-        raise
+    replace_files(directory, files, _of_earlier(directory))
 
 
 def _of_earlier(directory: Path) -> set[str]:
