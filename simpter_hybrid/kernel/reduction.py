@@ -34,23 +34,10 @@ def partition(C, n, m, mode, rows, cols, s):
         best, pr, pc = full_pivot(s, n, cols, r, count)
         if best <= 1e-9 * scale:
             break
-        if pr != r:
-            keep_row = rows[r]
-            rows[r] = rows[pr]
-            rows[pr] = keep_row
-            for b in range(n):
-                keep = s[r * n + b]
-                s[r * n + b] = s[pr * n + b]
-                s[pr * n + b] = keep
-        if pc != r:
-            keep_col = cols[r]
-            cols[r] = cols[pc]
-            cols[pc] = keep_col
-        for a in range(r + 1, count):
-            factor = s[a * n + cols[r]] / s[r * n + cols[r]]
-            if factor != 0.0:
-                for b in range(r, n):
-                    s[a * n + cols[b]] -= factor * s[r * n + cols[b]]
+        keep_row = rows[r]
+        rows[r] = rows[pr]
+        rows[pr] = keep_row
+        eliminate(s, n, cols, r, count, pr, pc)
         r += 1
     return r
 
@@ -71,17 +58,25 @@ def choose_columns(C, n, rows, cols, r, s):
         best, pr, pc = full_pivot(s, n, cols, a, r)
         if best == 0.0:
             return
-        keep_col = cols[a]
-        cols[a] = cols[pc]
-        cols[pc] = keep_col
+        eliminate(s, n, cols, a, r, pr, pc)
+
+
+def eliminate(s, n, cols, r, count, pr, pc):
+    """Bring the pivot at row ``pr``, column ``pc`` to place ``r``; take it from the rows below."""
+    if pr != r:
         for b in range(n):
-            keep = s[a * n + b]
-            s[a * n + b] = s[pr * n + b]
+            keep = s[r * n + b]
+            s[r * n + b] = s[pr * n + b]
             s[pr * n + b] = keep
-        for i in range(a + 1, r):
-            factor = s[i * n + cols[a]] / s[a * n + cols[a]]
-            for b in range(a, n):
-                s[i * n + cols[b]] -= factor * s[a * n + cols[b]]
+    if pc != r:
+        keep_col = cols[r]
+        cols[r] = cols[pc]
+        cols[pc] = keep_col
+    for a in range(r + 1, count):
+        factor = s[a * n + cols[r]] / s[r * n + cols[r]]
+        if factor != 0.0:
+            for b in range(r, n):
+                s[a * n + cols[b]] -= factor * s[r * n + cols[b]]
 
 
 def full_pivot(s, n, cols, r, count):
