@@ -31,6 +31,9 @@ class Effect(Part):
         ``bristle_torque(level, breakaway, ...)``
             Torque against positive slip [N m], with sign, in place of stiction; such a clutch never
             sticks (its mode stays FORWARD).
+        ``bristle_side(...)``
+            Beside it: above 0 while what is wound bears against positive slip. Of such a clutch
+            this is the ``direction`` of its torque map (without it, that of its slip).
     On a coordinate (``coordinate`` >= 0 is its index):
         ``force(speed, position, time, ...)``
             A generalized force to be added [N m or N].

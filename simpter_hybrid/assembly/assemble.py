@@ -149,7 +149,7 @@ class ModelText(ClutchText):
         for i in range(m):
             if any(e.clutch == i for e in self.effects):
                 body += self.slip_lines(i)
-                body += [f"direction = 1.0 if w{i} > 0.0 else -1.0", f"speed = abs(w{i})"]
+                body += [f"direction = {self.facing(i)}", f"speed = abs(w{i})"]
             command, rate = self.excitation_texts(i)
             if self.on("bristle_torque", clutch=i):
                 body += self.law_now(i)

@@ -130,11 +130,23 @@ class ClutchText:
     def levels(self, i: int, slip: str, brk: str) -> list[str]:
         """What friction tends to in steady sliding, and the most it can be (bristle models)."""
         return [
-            f"direction = 1.0 if w{i} > 0.0 else -1.0",
+            f"direction = {self.facing(i)}",
             f"speed = abs(w{i})",
             f"level = {slip}",
             f"breakaway = max({brk}, level)",
         ]
+
+    def facing(self, i: int) -> str:
+        """Expression for the direction of a clutch's friction: that of its slip, or its bristles'.
+
+        Friction that differs between directions would jump where the slip of a wound bristle
+        passes zero: that of the side to which the bristle bears changes where it bears nothing.
+        """
+        turned = f"w{i}"
+        for k in self.on("bristle_side", clutch=i):
+            given = self.signals(i) | self.own[k] | {"dmode": "dmode"}
+            turned = self.a.call(self.effects[k], self.names[k], "bristle_side", given)
+        return f"(1.0 if {turned} > 0.0 else -1.0)"
 
     def law_texts(self, i: int) -> tuple[str, str]:
         """Expressions for the slip and breakaway torque of clutch ``i``, effects included."""
@@ -191,7 +203,7 @@ class ClutchText:
             f"C = s[0:{self.device.m * self.device.n}]",
             "device_clutch_map(y, p, C)",
             *self.slip_lines(i),
-            f"direction = 1.0 if w{i} > 0.0 else -1.0",
+            f"direction = {self.facing(i)}",
             f"speed = abs(w{i})",
             *levels,
             f"command = {command}",

@@ -40,6 +40,10 @@ class Bristles(Effect):
         return level * (first + second + third) / 3.0
 
     @staticmethod
+    def bristle_side(first, second, third):
+        return first + second + third
+
+    @staticmethod
     def first_rate(slip, first, engaged, dmode, modes_at, displacement):
         winding = 3.0 * slip / displacement if dmode[modes_at] == 0 else 0.0
         return winding if engaged > 0.0 else -first / 0.01

@@ -72,6 +72,10 @@ class ClutchBacklash(Effect):
         return side * max(0.0, stiffness * (side * wound + damping * side * slip))
 
     @staticmethod
+    def bristle_side(turn):
+        return turn
+
+    @staticmethod
     def turn_rate(level, slip, turn, engaged, dmode, modes_at, gap, stiffness, relaxation):
         wound = wound_beyond(turn, gap)
         if engaged == 0.0:  # the plate turns along; what was wound is let go

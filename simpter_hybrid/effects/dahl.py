@@ -39,6 +39,10 @@ class Dahl(Effect):
         return level * min(max(z, -2.0), 2.0)
 
     @staticmethod
+    def bristle_side(z):
+        return z
+
+    @staticmethod
     def z_rate(slip, speed, z, engaged, displacement):
         # A trial step of the solver may overshoot; a true deflection is at most 1.
         lag = speed * min(max(z, -2.0), 2.0)

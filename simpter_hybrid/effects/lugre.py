@@ -73,6 +73,10 @@ class LuGre(Effect):
         return level * at_once * (z + damping * rate)
 
     @staticmethod
+    def bristle_side(z):
+        return z
+
+    @staticmethod
     def z_rate(level, breakaway, slip, speed, z, engaged, displacement, fade, exponent, carried):
         rate = bristle_rate(level, breakaway, slip, speed, z, displacement, fade, exponent, carried)
         return engaged * rate - (1.0 - engaged) * z / 0.01

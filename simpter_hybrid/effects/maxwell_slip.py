@@ -114,6 +114,10 @@ class MaxwellSlip(Effect):
         return torque + spring_torque(second + damping * rate, other, two)
 
     @staticmethod
+    def bristle_side(first, second, steep):
+        return steep * first + (1.0 - steep) * second
+
+    @staticmethod
     def first_rate(
         level, breakaway, slip, first, engaged,
         stiffness, share, steep, fade, shape, relaxation,

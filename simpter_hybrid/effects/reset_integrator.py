@@ -63,6 +63,10 @@ class ResetIntegrator(Effect):
         return level * dmode[modes_at]
 
     @staticmethod
+    def bristle_side(z, dmode, modes_at):
+        return z if dmode[modes_at] == 0 else dmode[modes_at]
+
+    @staticmethod
     def z_rate(slip, z, engaged, dmode, modes_at, displacement):
         if engaged == 0.0:
             return -z / 0.01

@@ -52,6 +52,8 @@ class Checked(RungeKutta):
     ----------
     guard_values : callable
         ``guard_values(t, y) -> sequence of float``, positive while the mode may go on.
+    end_values : callable
+        ``end_values(t_old, t, y) -> sequence of float``, the same where a step from ``t_old`` ends.
     start_values : sequence of float
         Guard values at ``t0``.
     """
@@ -63,12 +65,13 @@ class Checked(RungeKutta):
         y0,
         t_bound,
         guard_values: Callable[[float, object], Sequence[float]],
+        end_values: Callable[[float, float, object], Sequence[float]],
         start_values: Sequence[float],
         owner: list | None = None,
         **options,
     ) -> None:
         super().__init__(fun, t0, y0, t_bound, **options)
-        self._guard_values = guard_values
+        self._guard_values, self._end_values = guard_values, end_values
         #: Guard values where the last step ended.
         self.last = start_values
         self._dense = None
@@ -87,7 +90,7 @@ class Checked(RungeKutta):
             self.t_old = start[0]
             self._dense = None
             self._dense = super()._dense_output_impl()
-            self._end = self._guard_values(self.t, self.y)
+            self._end = self._end_values(start[0], self.t, self.y)
             cut = None
             if self.t - start[0] > instant_width(start[0], self.max_step):
                 cut = first_dip(

@@ -138,24 +138,29 @@ class Run:
 
 
 class KeptGuards:
-    """Guard values of the latest instants: ``solve_ivp`` asks for each guard by itself."""
+    """Guard values at the ends of the latest step, by the states that the step itself reached.
+
+    ``solve_ivp`` asks for each guard there by itself, and looks for an event with the interpolant's
+    state, which differs by rounding: a guard that has fallen by less would not have there.
+    """
 
     def __init__(self, run: Run, start: list[float]) -> None:
-        self.run, self.cache = run, {run.t: start}
+        self.run, self.ends = run, {run.t: start}
 
     def values(self, t, y):
         """Values of all guards at ``t`` [s]."""
-        key = float(t)
-        found = self.cache.get(key)
-        if found is None:
-            if len(self.cache) > 64:
-                self.cache.clear()
-            found = self.cache[key] = self.run.guard_values(t, y)
-        return found
+        found = self.ends.get(float(t))
+        return self.run.guard_values(t, y) if found is None else found
 
-    def chosen(self, t, y, which):
-        """Values of the guards ``which`` at ``t`` [s]."""
-        found = self.values(t, y)
+    def within(self, t, y, which):
+        """Values of the guards ``which`` at ``t`` [s], between the ends of a step."""
+        found = self.run.guard_values(t, y)
+        return [found[k] for k in which]
+
+    def at_end(self, t_old, t, y, which):
+        """Values of the guards ``which`` where a step from ``t_old`` ends [s]."""
+        found = self.run.guard_values(t, y)
+        self.ends = {t_old: self.ends[t_old], float(t): found}
         return [found[k] for k in which]
 
     def event(self, k):
@@ -206,7 +211,8 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
             atol=run.scenario.atol,
             max_step=run.scenario.max_step,
             first_step=first if first < span else span,
-            guard_values=lambda t, y: kept.chosen(t, y, active),
+            guard_values=lambda t, y: kept.within(t, y, active),
+            end_values=lambda t_old, t, y: kept.at_end(t_old, t, y, active),
             start_values=[start[k] for k in active],
             owner=owner,
         )
