@@ -197,11 +197,12 @@ def _map(view: _View) -> list[DeviceFinding]:
         return []
     qd = np.array(view.qd)
     C = view.call("clutch_map", view.q).reshape(m, n)
+    slope = view.along("clutch_map", qd).reshape(m, n)
     for i in range(m):
-        if not C[i].any():
+        # Zero at a pose alone it is at the dead centre of a crank.
+        if not (C[i].any() or slope[i].any()):
             what = f"row {i} is zero: clutch {i + 1} never slips"
             return [DeviceFinding("clutch_map", what, C[i].tolist(), "a row with an entry")]
-    slope = view.along("clutch_map", qd).reshape(m, n)
     rate = view.call("clutch_map_rate", view.q, qd)
     worst = int(abs(slope @ qd - rate).argmax())
     if abs(slope @ qd - rate)[worst] > NEAR * (abs(C).max() * (qd @ qd) + abs(rate).max()):

@@ -62,12 +62,23 @@ def check_start(s: Scenario, problems: Problems) -> None:
         what = f"at the first sample {wrong}"
         problems.add(("controller",), what, s.name, "finite numbers")
     _check_mass(s, problems, list(w.M))
+    _check_dead_centres(s, problems, w)
     for k, stop in enumerate(s.stops):
         value = w.g[2 * md.m + k]
         if value < 0.0:
             reason = getattr(stop, "reason", type(stop).__name__)
             what = f"the run would end as it starts ({reason})"
             problems.add(_stop_path(k, problems), what, round(value, 9), "a start before it")
+
+
+def _check_dead_centres(s: Scenario, problems: Problems, w: Any) -> None:
+    """Nothing at rest begins where a row of the clutch map is zero: it would hold by nothing."""
+    n = s.device.n
+    for i in range(s.device.m):
+        if w.c[i] == 0.0 and not any(w.C[i * n + j] for j in range(n)):
+            what = f"clutch {i + 1} is at its dead centre, and nothing takes it past that"
+            right = "a pose beside it, at which its row of the clutch map is not zero, or a speed"
+            problems.add(("start", "coordinates"), what, [float(q) for q in s.q], right)
 
 
 def _stop_path(k: int, problems: Problems) -> KeyPath:

@@ -9,6 +9,7 @@ from .motion import constrain, enter_mode, evaluate, guards, hold
 from .records import BACKWARD, CLOSING, FORWARD, FREE, OFF, ON, PENDING, STICK
 from .reduction import dependence, partition, project_speeds
 from .resolution import resolve
+from .rules import AT_ONCE
 
 #: Causes of ``settle``.
 NO_CAUSE, SLIP_STOP, FACET = 0, 1, 2
@@ -77,6 +78,32 @@ def slip_of(C, y, n, i):
     return slip
 
 
+def map_now(md, t, y, w):
+    """Clutch map ``w.C`` and, where it depends on the pose, ``w.c`` = Cdot qd."""
+    if md.constant:
+        md.map(y, md.p, w.C)
+        return
+    for i in range(md.m):
+        w.state[i] = FREE  # friction is asked for once modes are known
+    md.terms(t, y, md.p, md.rec, w.held, w.state, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
+
+
+def turns_over(md, y, w, i):
+    """Whether the slip of clutch ``i`` is zero by the pose: at a dead centre its row of C is.
+
+    There it transmits nothing and cannot hold, and the slip goes on the other way.  A clutch that
+    stops has speeds that vanish, alone or against one another, and so no rate of its row; here the
+    row's own rate takes the slip through zero within what is one instant to us.
+    """
+    if md.constant or w.c[i] == 0.0:
+        return False
+    n = md.n
+    size = 0.0
+    for j in range(n):
+        size += abs(w.C[i * n + j] * y[n + j])
+    return size <= AT_ONCE * abs(w.c[i])
+
+
 def begin_instant(md, t, w):
     """Forget which clutches were let go, unless it was at this very instant."""
     if w.stamp[0] != t:
@@ -104,7 +131,12 @@ def gather(md, y, w, cause, which):
             w.mode[i] = FORWARD
             continue
         slip = slip_of(w.C, y, n, i)
-        if w.mode[i] == STICK or (cause == SLIP_STOP and i == which):
+        stopped = cause == SLIP_STOP and i == which
+        found = stopped or slip == 0.0 or w.released[i] != 0 or w.mode[i] == PENDING
+        if found and w.mode[i] != STICK and turns_over(md, y, w, i):
+            w.mode[i] = FORWARD if w.c[i] > 0.0 else BACKWARD
+            w.released[i] = w.mode[i]
+        elif w.mode[i] == STICK or stopped:
             w.zero[i] = 1
             w.hold[i] = 1
         elif w.released[i] != 0:
@@ -139,7 +171,7 @@ def close_span(md, y, w):
         return 3
     for i in range(m):
         if w.zero[i] == 0 and w.gate[i] == ON and md.smooth[i] == 0:
-            inside = True
+            inside = not turns_over(md, y, w, i)
             for j in range(n):
                 left = w.C[i * n + j]
                 size = abs(left)
@@ -167,7 +199,7 @@ def settle(md, t, y, w, cause, which, margin):
     """
     begin_instant(md, t, w)
     for _ in range(8 * md.m + 8):
-        md.map(y, md.p, w.C)
+        map_now(md, t, y, w)
         gather(md, y, w, cause, which)
         status = close_span(md, y, w)
         if status != 0:
