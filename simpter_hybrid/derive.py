@@ -12,6 +12,7 @@ from types import ModuleType
 from typing import Any
 
 from .derive_check import (
+    check_counts,
     check_dimensions,
     check_fields,
     check_functions,
@@ -101,6 +102,7 @@ def derive_text(
     from derivations.lagrangian import lagrange
 
     q, qd = sp.Matrix(list(coordinates)), sp.Matrix(list(speeds))
+    check_counts(coordinates, speeds, parameters)
     check_names(name, [*coordinates, *parameters], slips)
     check_fields(parameters)
     check_dimensions(dimensions, len(q))

@@ -21,6 +21,27 @@ def check_dimensions(dimensions: Sequence[str], count: int) -> None:
         raise ValueError(f"dimensions: {wrong[0]}, got {dimensions!r}; expected {wrong[1]}")
 
 
+def check_counts(coordinates: Sequence[Any], speeds: Sequence[Any], parameters: Any) -> None:
+    """A speed for each coordinate, every symbol for one thing, and what a parameter is."""
+    if len(speeds) != len(coordinates):
+        raise ValueError(
+            f"speeds: {len(speeds)} of them, got {list(map(str, speeds))}; expected one for each "
+            f"of {', '.join(map(str, coordinates))}, in their order"
+        )
+    every = [*map(str, coordinates), *map(str, speeds), *map(str, parameters)]
+    if twice := sorted({word for word in every if every.count(word) > 1}):
+        raise ValueError(
+            f"{', '.join(twice)}: more than once among coordinates, speeds and parameters; "
+            "take a symbol for each"
+        )
+    for symbol, told in parameters.items():
+        if isinstance(told, str) or len(tuple(told)) != 2:
+            raise ValueError(
+                f"parameters: of {symbol} {told!r} is told; expected its dimension and its value, "
+                'e.g. ("inertia", 0.02)'
+            )
+
+
 def check_names(name: str, symbols: Sequence[Any], slips: Mapping[str, Any]) -> None:
     """Names that code can use for the class and its symbols, and none that devices have."""
     for word in (name, *map(str, symbols)):
@@ -83,7 +104,11 @@ def check_without_speeds(name: str, expressions: Sequence[Any], speeds: Sequence
 def _symbols(expressions: Sequence[Any]) -> set[Any]:
     import sympy as sp
 
-    return set().union(*(sp.sympify(e).free_symbols for e in expressions))
+    found = [sp.sympify(e) for e in expressions]
+    for each in found:
+        if not isinstance(each, sp.Expr):
+            raise ValueError(f"{each!r} is no expression; expected one of sympy's, or a number")
+    return set().union(*(each.free_symbols for each in found))
 
 
 def check_kinetic(kinetic: Any, speeds: Sequence[Any]) -> None:

@@ -82,6 +82,9 @@ def _signatures(device: Device) -> list[DeviceFinding]:
     if not device.coordinates:
         right = "a tuple of names, one a coordinate"
         found.append(DeviceFinding("coordinates", "there is none", (), right))
+    for array, names in (("coordinates", device.coordinates), ("surfaces", device.surfaces)):
+        if len(set(names)) < len(names):
+            found.append(DeviceFinding(array, "a name twice", names, "a name of its own for each"))
     if wrong := wrong_dimensions(kinds, device.n):
         found.append(DeviceFinding("coordinate_dimensions", wrong[0], kinds, wrong[1]))
     for name, (arguments, _) in (FUNCTIONS | OPTIONAL).items():

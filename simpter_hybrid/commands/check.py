@@ -93,7 +93,7 @@ def _is_map(name: str) -> bool:
     try:
         tables = tomllib.loads(Path(name).read_text("utf-8")).keys()
         return bool(tables & {"channels", "time", "runs", "split"}) and "device" not in tables
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return False  # a scenario's own reader says what is wrong
 
 

@@ -58,7 +58,8 @@ class PrescribedMotion(Effect):
     hold : float
         [1/s].
     bulk : float
-        The large inertia [kg m^2 or kg].
+        The large inertia [kg m^2 or kg]: so large that the forces on it do not count, and no
+        larger, as what sticks to it is held by a force known to 1e-16 of its own.
 
     Raises
     ------
@@ -70,7 +71,7 @@ class PrescribedMotion(Effect):
         ("time", "time"), ("position", "coordinate"), default=((0.0, 0.0), (1.0, 0.0))
     )
     hold: float = parameter("1/s", 100.0, above=0.0)
-    bulk: float = parameter("coordinate inertia", 1e15, above=0.0)
+    bulk: float = parameter("coordinate inertia", 1e9, above=0.0)
 
     uses: ClassVar[tuple] = (cubic,)
     reveals: ClassVar[str] = "None: it is how a tester moves, not what a model lacks."
