@@ -4,6 +4,7 @@ Guards say when; this module says where to.  Both engines call the same function
 in how they integrate the flow between two instants.
 """
 
+from .linear import solve
 from .margin import coefficients
 from .motion import constrain, enter_mode, evaluate, guards, hold
 from .records import BACKWARD, CLOSING, FORWARD, FREE, OFF, ON, PENDING, STICK
@@ -79,7 +80,7 @@ def slip_of(C, y, n, i):
 
 
 def map_now(md, t, y, w):
-    """Clutch map ``w.C`` and, where it depends on the pose, ``w.c`` = Cdot qd."""
+    """Clutch map ``w.C`` and, where it depends on the pose, ``w.c`` = Cdot qd and ``w.M``."""
     if md.constant:
         md.map(y, md.p, w.C)
         return
@@ -91,17 +92,28 @@ def map_now(md, t, y, w):
 def turns_over(md, y, w, i):
     """Whether the slip of clutch ``i`` is zero by the pose: at a dead centre its row of C is.
 
-    There it transmits nothing and cannot hold, and the slip goes on the other way.  A clutch that
-    stops has speeds that vanish, alone or against one another, and so no rate of its row; here the
-    row's own rate takes the slip through zero within what is one instant to us.
+    There it transmits nothing and cannot hold, and the slip goes on the other way.  All that the
+    kinetic energy could give to the slip of such a row, its own rate takes away within what is one
+    instant to us; where a clutch stops the row is what it was, and its rate asks for no more.
     """
     if md.constant or w.c[i] == 0.0:
         return False
     n = md.n
-    size = 0.0
+    at = n * n
+    for j in range(at):
+        w.s[j] = w.M[j]
     for j in range(n):
-        size += abs(w.C[i * n + j] * y[n + j])
-    return size <= AT_ONCE * abs(w.c[i])
+        w.s[at + j] = w.C[i * n + j]
+    x = w.s[at : at + n]
+    if solve(w.s, x, n) != 0:
+        return False
+    reach = 0.0
+    energy = 0.0
+    for j in range(n):
+        reach += w.C[i * n + j] * x[j]
+        for k in range(n):
+            energy += y[n + j] * w.M[j * n + k] * y[n + k]
+    return reach * energy <= (AT_ONCE * w.c[i]) ** 2
 
 
 def begin_instant(md, t, w):
