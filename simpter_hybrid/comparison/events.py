@@ -127,7 +127,10 @@ def redundant_releases(run: Trajectory) -> list[tuple[float, tuple[int, ...], li
 
 def _held(run: Trajectory, t: float, stuck: tuple[int, ...]) -> int:
     """How many motions the clutches ``stuck`` hold at ``t`` [s]; parallel ones hold the same."""
-    (rows,) = clutch_maps(run.scenario, states_at(run, np.array([t])))
+    # A map that is constant is that of any pose: runs without dense output are compared too.
+    constant = run.scenario.device.constant_clutch_map
+    pose = run.end[np.newaxis] if constant else states_at(run, np.array([t]))
+    (rows,) = clutch_maps(run.scenario, pose)
     return int(np.linalg.matrix_rank(rows[[i - 1 for i in stuck]]))
 
 
