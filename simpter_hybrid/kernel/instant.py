@@ -18,15 +18,22 @@ NO_CAUSE, SLIP_STOP, FACET = 0, 1, 2
 
 def sample(md, k, t, y, w):
     """Let the controller act at its ``k``-th instant; it writes the held inputs."""
+    fresh = False
     if md.feedback:
         for i in range(md.m):
             # At the start of a run an engaged clutch has no mode yet, and so no torque to feed
             # back.
             if w.mode[i] == PENDING:
                 settle(md, t, y, w, NO_CAUSE, -1, 0.0)
+                fresh = True
         constrain(md, y, w)
         evaluate(md, t, y, w)
         hold(md, w)
+        for i in range(md.m):
+            # What the commands of before let go is asked anew with those that are written now.
+            if fresh and w.released[i] != 0:
+                w.mode[i] = STICK
+                w.released[i] = 0
     md.control(k, t, y, w.tau, md.p, md.rec, w.s, w.held, w.mem)
 
 

@@ -91,13 +91,11 @@ def run(md, o, rec, w, y):
             if status != 0:
                 return status, t, which - 2 * m
         else:
+            kind = SWITCHED
             if at_restart < o.nrestarts and t >= o.restart_t[at_restart]:
                 restart(md, o, at_restart, w, y)
                 at_restart += 1
-                remember(md, w)
-                status = logged(md, t, STARTED, -1, 0.0, y, w, rec)
-                if status != 0:
-                    return status, t, -1
+                kind = STARTED
             remember(md, w)
             if t >= t_sample and t < o.t_end:
                 sample(md, k, t, y, w)
@@ -105,7 +103,7 @@ def run(md, o, rec, w, y):
                 if wrong >= 0:
                     return NOT_HELD, t, wrong
                 k += 1
-            status = logged(md, t, SWITCHED, -1, 0.0, y, w, rec)
+            status = logged(md, t, kind, -1, 0.0, y, w, rec)
             if status != 0:
                 return status, t, -1
     return 0, t, -1
