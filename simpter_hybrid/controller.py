@@ -19,7 +19,10 @@ class Controller(Part):
     ``held`` (written: its first m entries are the clutch commands [V], the others those that
     ``holds`` names, from ``at_<name>`` on), ``desired_count`` (clutches, from the first on, whose
     desired torques are held from ``at_desired_1`` on), ``mem`` with ``mem_at`` (memory, read and
-    written), ``s`` (scratch), any of its parameters, and any function of the device.
+    written), ``s`` (scratch), any of its parameters, and any function of the device.  What a force
+    sensor at the tip reads [N] is in ``out[0:2]`` after ``tip_force_now(time, state, p, rec, held,
+    s, out)``, ``out = s[2:6]`` or beyond; ``state`` is what loads need of the run, and no reading
+    of a ``Measurement`` stands for it, as one may for ``q`` and ``qd``.
     """
 
     #: Whether ``step`` reads the clutch torques.

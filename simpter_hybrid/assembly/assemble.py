@@ -135,8 +135,8 @@ class ModelText(ClutchText):
     def tip_force_now(self) -> None:
         """A function that controllers may ask for: what a force sensor at the tip would read.
 
-        ``tip_force_now(t, y, p, rec, held, s, out)`` sums all tip forces in ``out[0:2]`` [N];
-        ``out`` (4,) must lie beyond ``s[0:2]``, which loads may scribble on.
+        ``tip_force_now(time, state, p, rec, held, s, out)`` sums all tip forces in ``out[0:2]``
+        [N]; ``out`` (4,) must lie beyond ``s[0:2]``, which loads may scribble on.
         """
         lines = ["def tip_force_now(t, y, p, rec, held, s, out):", "out[0] = 0.0", "out[1] = 0.0"]
         for call in self.pushes:
@@ -180,7 +180,8 @@ class ModelText(ClutchText):
         for k, (controller, every) in enumerate(controllers):
             name = f"controller.{k + 1}"
             own = self.a.add(controller, name)
-            given = self.a.common() | own | {"k": f"k // {every}" if every > 1 else "k"}
+            given = self.a.common() | {"state": "y"} | own
+            given |= {"k": f"k // {every}" if every > 1 else "k"}
             given |= {"tau": "tau", "mem": "mem", "mem_at": str(self.a.memory), "n": str(n)}
             given |= {"m": str(self.device.m), "tip_force_now": "tip_force_now"} | seen
             self.a.stages.append((given, self.a.memory))

@@ -90,8 +90,6 @@ def check_stages(s: Scenario, md: Model, problems: Problems) -> bool:
         space = md.control.__globals__
         step, end = space[f"controller_{k + 1}_step"], first + len(stage.memory)
         ranges = {"q": (0, md.n), "qd": (0, md.n), "tau": (0, md.m), "held": (0, s.sizes()["nh"])}
-        if "tip_force_now" in names and given["q"] == "y":
-            del ranges["q"]  # loads are given it as the whole state
         ranges["mem"] = (first, end)
         try:
             values = {name: eval(given[name], space, arrays) for name in names}

@@ -44,7 +44,7 @@ class GomesVelocityController(Controller):
 
     @staticmethod
     def step(
-        time, q, qd, p, rec, s, n, m, held, at_desired_1, tip, tip_jacobian, clutch_map,
+        time, state, q, qd, p, rec, s, n, m, held, at_desired_1, tip, tip_jacobian, clutch_map,
         tip_force_now,
         gain, x, y, angle, lock_torque,
     ):  # fmt: skip
@@ -57,7 +57,7 @@ class GomesVelocityController(Controller):
         speeds[0] = qd[0]
         speeds[1] = qd[1]
         # First: loads use the scratch before `push`.
-        tip_force_now(time, q, p, rec, held, s, push)
+        tip_force_now(time, state, p, rec, held, s, push)
         tip(q, p, point)
         tip_jacobian(q, p, jac)
         clutch_map(q, p, rows)

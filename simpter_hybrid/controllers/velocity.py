@@ -50,7 +50,7 @@ class VelocityController(Controller):
 
     @staticmethod
     def step(
-        time, q, qd, p, rec, s, n, m, held, at_desired_1, tip, tip_jacobian, clutch_map,
+        time, state, q, qd, p, rec, s, n, m, held, at_desired_1, tip, tip_jacobian, clutch_map,
         tip_force_now,
         distance, gain, x, y, angle, lock_torque,
     ):  # fmt: skip
@@ -63,7 +63,7 @@ class VelocityController(Controller):
         speeds[0] = qd[0]
         speeds[1] = qd[1]
         # First: loads use the scratch before `push`.
-        tip_force_now(time, q, p, rec, held, s, push)
+        tip_force_now(time, state, p, rec, held, s, push)
         tip(q, p, point)
         tip_jacobian(q, p, jac)
         clutch_map(q, p, rows)
