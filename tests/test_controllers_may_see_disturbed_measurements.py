@@ -1,6 +1,6 @@
 """A stage in front of others: they get readings, the mechanism keeps its true state."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -62,6 +62,12 @@ def test_noise_and_resolution_are_those_stated():
 def test_a_late_reading_is_the_one_before():
     found = seen(Measurement(late=1.0))
     assert found[1:, 0] == pytest.approx(true_q()[:-1], abs=1e-12)
+
+
+def test_the_speed_between_late_readings_is_as_late():
+    stage = Measurement(noise=0.02, seed=3.0, filter=0.02)
+    speeds, late = (seen(each)[:, 1] for each in (stage, replace(stage, late=1.0)))
+    assert np.array_equal(late[1:], speeds[:-1])
 
 
 def test_the_same_seed_gives_the_same_bytes():

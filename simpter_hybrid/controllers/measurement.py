@@ -30,7 +30,8 @@ class Measurement(Controller):
     resolution : float
         Quantisation of a position [rad or m]; 0: none.
     late : float
-        Delay, in samples, 0 or 1.
+        Delay of the readings of positions, and so of speeds that differ from one to the next, in
+        samples, 0 or 1; a tachometer shows its speed at once.
     differenced : float
         1: speeds from differences of readings; 0: from tachometers.
     filter : float
@@ -54,7 +55,8 @@ class Measurement(Controller):
     offset: float = parameter("coordinate", 0.0, typical=1e-3)
 
     uses: ClassVar[tuple] = (mixed, gaussian, quantised)
-    #: Readings of q and qd, which later stages get; then readings kept, and the last instant.
+    #: Readings of q and qd, which later stages get; then readings kept and speeds from them, and
+    #: the last instant.
     memory: ClassVar[tuple[str, ...]] = tuple(f"cell_{k}" for k in range(4 * MOST + 1))
     #: Where in its memory later stages find what they ask for by these names.
     replaces: ClassVar[dict[str, int]] = {"q": 0, "qd": MOST}
@@ -76,7 +78,10 @@ class Measurement(Controller):
             if differenced > 0.0:
                 rate = (reading - before) / passed if passed > 0.0 else 0.0
                 share = 1.0 - math.exp(-passed / filter) if filter > 0.0 else 1.0
-                mem[mem_at + 8 + j] += share * (rate - mem[mem_at + 8 + j])
+                made = mem_at + 24 + j
+                of_before = mem[made]
+                mem[made] += share * (rate - of_before)
+                mem[mem_at + 8 + j] = of_before if late > 0.0 else mem[made]
             else:
                 mem[mem_at + 8 + j] = qd[j] + speed_noise * gaussian(seed, 100 + j, k)
             mem[kept] = reading
