@@ -13,9 +13,10 @@ def classify(md, o, y, w):
     """Flag the stuck clutches and set ``w.mode`` for the model's terms; returns how many stick.
 
     A clutch that is off gives no torque, whatever its speed.  By Table 1 two stuck clutches of PTER
-    mean that everything is at rest: every other applied clutch then counts as stuck too, though its
-    slip may reach twice the band.  One whose friction is a smooth function of states (bristles)
-    never sticks: its torque has a sign of its own, and its mode stays 1.
+    mean that everything is at rest (Case 7: "more than one clutch is stuck"): every other applied
+    clutch then counts as stuck too, though its slip may reach twice the band.  One whose friction
+    is a smooth function of states (bristles) never sticks: its torque has a sign of its own, and
+    its mode stays 1.
     """
     n = md.n
     m = md.m
@@ -37,7 +38,7 @@ def classify(md, o, y, w):
             count += 1
         else:
             w.mode[i] = 1 if w.slip[i] > 0.0 else -1
-    if o.table == 1 and count == 2:
+    if o.table == 1 and count >= 2:
         for i in range(m):
             if (w.mode[i] == 1 or w.mode[i] == -1) and md.smooth[i] == 0:
                 w.mode[i] = 0
