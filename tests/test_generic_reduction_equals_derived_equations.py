@@ -37,7 +37,7 @@ def generic(mask, state):
         return w.qdd, {}, np.inf
     held_force(M, f, C, 2, w.rows, w.cols, r, w.qdd, w.lam, w.s)
     coefficients(C, 2, 4, w.rows, w.cols, r, w.a, w.s)
-    count = facets(4, w.mode, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s)
+    count = facets(4, w.mode, r, w.a, FACET_LIMIT, True, w.fy, w.fp, w.pick, w.pivots, w.s)
     fr = [0.0] * 4 + 2 * state.brk + [0.0] * 8
     margins = [
         facet_margin(4, r, k, s, w.fy, w.fp, w.lam, fr) for k in range(count) for s in (1.0, -1.0)

@@ -38,7 +38,7 @@ def largest_by_facets(C, limits, load):
     flat = C.ravel().tolist()
     r = partition(flat, n, m, w.mode, w.rows, w.cols, w.s)
     assert coefficients(flat, n, m, w.rows, w.cols, r, w.a, w.s) == 0
-    count = facets(m, w.mode, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s)
+    count = facets(m, w.mode, r, w.a, FACET_LIMIT, True, w.fy, w.fp, w.pick, w.pivots, w.s)
     # The load in the coordinates of the independent rows: C_R^T lam = load.
     lam = np.linalg.lstsq(C[w.rows[:r]].T, load, rcond=None)[0].tolist()
     # Positive torques oppose backward slip: a positive torque is limited by the backward limit.

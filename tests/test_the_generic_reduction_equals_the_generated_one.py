@@ -31,7 +31,7 @@ def generic(mask, state):
     held_force(mass, force, clutch_map, N, rows, cols, r, qdd, lam, s)
     coefficients(clutch_map, N, M, rows, cols, r, a, s)
     y, p = np.zeros(40), np.zeros(40)
-    count = facets(M, mode, r, a, 8, y, p, [0] * 8, [0] * 8, s)
+    count = facets(M, mode, r, a, 8, True, y, p, [0] * 8, [0] * 8, s)
     # slip torque now, breakaway forward and backward, slip torque at 0+ forward and backward
     limits = np.array([*[0.0] * M, *state.brk, *state.brk, *[0.0] * (2 * M)])
     margins = [

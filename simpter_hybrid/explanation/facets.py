@@ -66,7 +66,8 @@ def facets_at(
         excitations.append(y[2 * view.md.n : 2 * view.md.n + m])
         rows.append([(facet_strength(view, k)[0], margin) for k, margin in enumerate(margins)])
     fell = [new < old * (1.0 - FELL) for old, new in zip(*excitations, strict=True)]
-    found = []
+    found: list[Facet] = []
+    shown: list[tuple[float, ...]] = []
     for k in range(0, len(rows[1]), 2):
         loaded = min(k, k + 1, key=lambda side: rows[1][side][1])
         (old, old_margin), (available, margin) = rows[0][loaded], rows[1][loaded]
@@ -74,6 +75,9 @@ def facets_at(
         slope = 1.0 / span if span > 0.0 else 0.0
         sign = 1.0 if loaded == k else -1.0
         pattern = tuple(sign * p for p in view.w.fp[k // 2 * m : k // 2 * m + m])
+        if not any(pattern) or any(np.allclose(pattern, each) for each in shown):
+            continue  # where a map turns, two may be one in this pose, or one be none
+        shown.append(pattern)
         needed, old_needed = available - margin, old - old_margin
         found.append(
             Facet(

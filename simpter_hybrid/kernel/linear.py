@@ -99,14 +99,16 @@ def null_vector(rows, count, r, pivots, out):
     """The vector orthogonal to ``count = r - 1`` vectors of length ``r``.
 
     ``rows`` (count*r) is destroyed, ``pivots`` (r,) is integer scratch.  The largest entry of
-    ``out`` (r,) has magnitude 1.  Returns 0, or 1 when the vectors are dependent (a pivot below
-    1e-9 of the largest entry).
+    ``out`` (r,) has magnitude 1; its direction is that of the cofactors (for r = 3 the cross
+    product), which turns with the vectors and never jumps from one side to the other.
+    Returns 0, or 1 when the vectors are dependent (a pivot below 1e-9 of the largest entry).
     """
     scale = 0.0
     for i in range(count * r):
         if abs(rows[i]) > scale:
             scale = abs(rows[i])
     free = r * (r - 1) // 2
+    side = 1.0
     for i in range(count):
         best = 0.0
         pr = i
@@ -124,6 +126,13 @@ def null_vector(rows, count, r, pivots, out):
             rows[i * r + b] = rows[pr * r + b]
             rows[pr * r + b] = keep
         pivot = rows[i * r + pc]
+        # The sign of the vectors' determinant without column ``free``: rows that changed places,
+        # pivots below zero, and pivots whose columns are not in their order.
+        if (pr != i) != (pivot < 0.0):
+            side = -side
+        for a in range(i):
+            if pivots[a] > pc:
+                side = -side
         for b in range(r):
             rows[i * r + b] /= pivot
         for a in range(count):
@@ -133,12 +142,14 @@ def null_vector(rows, count, r, pivots, out):
                     rows[a * r + b] -= factor * rows[i * r + b]
         pivots[i] = pc
         free -= pc
+    if free % 2 == 1:
+        side = -side
     for b in range(r):
         out[b] = 0.0
-    out[free] = 1.0
+    out[free] = side
     big = 1.0
     for i in range(count):
-        out[pivots[i]] = -rows[i * r + free]
+        out[pivots[i]] = -side * rows[i * r + free]
         if abs(out[pivots[i]]) > big:
             big = abs(out[pivots[i]])
     for b in range(r):

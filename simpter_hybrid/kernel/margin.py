@@ -37,11 +37,13 @@ def coefficients(C, n, m, rows, cols, r, a, s):
     return status
 
 
-def facets(m, mode, r, a, limit, y, p, pick, pivots, s):
+def facets(m, mode, r, a, limit, constant, y, p, pick, pivots, s):
     """Facet normals of a stuck set.
 
     Writes ``y`` (limit, r) and the slip pattern ``p`` (limit, m) with p_i = a_i . y, scaled so that
     the largest |p_i| is 1.  Returns the number of facets, or -1 when there are more than ``limit``.
+    Where the clutch map is not ``constant`` every choice of r-1 rows keeps its number, though in
+    some poses it has the facet of another or none (zeros): guards have to go on as they were.
     """
     stuck = 0
     for i in range(m):
@@ -57,13 +59,14 @@ def facets(m, mode, r, a, limit, y, p, pick, pivots, s):
             for e in range(r):
                 s[d * r + e] = a[pick[r + pick[d]] * r + e]
         normal = s[r * r : r * r + r]
-        if null_vector(s, r - 1, r, pivots, normal) == 0:
+        found = null_vector(s, r - 1, r, pivots, normal) == 0
+        if found or not constant:
             if count == limit:
                 return -1
             big = 0.0
             for i in range(m):
                 total = 0.0
-                if mode[i] == STICK:
+                if found and mode[i] == STICK:
                     for e in range(r):
                         total += a[i * r + e] * normal[e]
                     if abs(total) < 1e-9:
@@ -72,10 +75,10 @@ def facets(m, mode, r, a, limit, y, p, pick, pivots, s):
                 if abs(total) > big:
                     big = abs(total)
             for i in range(m):
-                p[count * m + i] /= big
+                p[count * m + i] /= big if found else 1.0
             for e in range(r):
-                y[count * r + e] = normal[e] / big
-            if not repeated(m, count, p):
+                y[count * r + e] = normal[e] / big if found else 0.0
+            if not constant or not repeated(m, count, p):
                 count += 1
         going = next_subset(pick, r - 1, stuck)
     return count
@@ -112,16 +115,24 @@ def repeated(m, count, p):
 def facet_margin(m, r, k, sign, y, p, lam, fr):
     """Margin of facet ``k`` [N m]: what the set can give along ``sign * y`` less what is asked.
 
+    In a pose in which there is no such facet the sum of what all clutches can hold, which no other
+    margin exceeds.
     ``fr`` holds the friction torques in blocks of m: slip now, breakaway forward and backward,
     slip at 0+ forward and backward.  A positive torque opposes backward slip.
     """
     total = 0.0
+    there = False
     for i in range(m):
         pi = sign * p[k * m + i]
         if pi > 0.0:
             total += pi * fr[2 * m + i]
+            there = True
         elif pi < 0.0:
             total -= pi * fr[m + i]
+            there = True
+    if not there:
+        for i in range(m):
+            total += fr[2 * m + i]
     for e in range(r):
         total -= sign * y[k * r + e] * lam[e]
     return total

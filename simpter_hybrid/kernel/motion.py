@@ -44,7 +44,9 @@ def find_facets(md, w):
     r = w.meta[0]
     if coefficients(w.C, md.n, md.m, w.rows, w.cols, r, w.a, w.s) != 0:
         return 3
-    count = facets(md.m, w.mode, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s)
+    count = facets(
+        md.m, w.mode, r, w.a, FACET_LIMIT, md.constant, w.fy, w.fp, w.pick, w.pivots, w.s
+    )
     if count < 0:
         return 4
     w.meta[1] = count
