@@ -142,60 +142,123 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
     """Distribute ``lam`` over a stuck set: least sum of (tau_i/tau_break_i)^2, within the limits.
 
     A stated convention where the set is redundant; the unique torques where it is not.  Writes the
-    stuck entries of ``tau`` and leaves the others alone.  A clutch without friction has a weight
-    as well, a trillionth of all: with none the sum could not be solved, and what the others hold is
-    theirs whatever it can hold.
+    stuck entries of ``tau`` and leaves the others alone.  ``fixed`` (m,): 1 and -1 where a torque
+    is at its limit above and below, 2 where it exceeds one because the set cannot hold the load.
+    Source: Goldfarb and Idnani 1983 (dual active sets), the limits being the only constraints.
     """
     least = 0.0
     for i in range(m):
         fixed[i] = 0
         if mode[i] == STICK:
-            tau[i] = 0.0
             half = 0.5 * (fr[m + i] + fr[2 * m + i])
             least += 1e-12 * (half * half)
     if least == 0.0:
         least = 1.0
-    for _ in range(m + 1):
-        at = r * r
-        for d in range(r):
-            s[at + d] = lam[d]
-            for e in range(r):
-                s[d * r + e] = 0.0
-        for i in range(m):
-            if mode[i] == STICK:
-                if fixed[i] == 1:
-                    for d in range(r):
-                        s[at + d] -= a[i * r + d] * tau[i]
-                else:
-                    half = 0.5 * (fr[m + i] + fr[2 * m + i])
-                    weight = max(half * half, least)  # a power would raise where this is infinite
-                    for d in range(r):
-                        for e in range(r):
-                            s[d * r + e] += weight * a[i * r + d] * a[i * r + e]
-        x = s[at : at + r]
-        if solve_many(s, x, r, 1) != 0:
+    x = s[r * r : r * r + r]
+    dx = s[r * r + r : r * r + 2 * r]
+    for _ in range(8 * m + 8):
+        if balance(m, mode, r, a, lam, fr, least, tau, fixed, x, s) != 0:
             return 1
-        worst = 1.0
-        where = -1
-        for i in range(m):
-            if mode[i] == STICK and fixed[i] == 0:
-                total = 0.0
-                for d in range(r):
-                    total += a[i * r + d] * x[d]
-                half = 0.5 * (fr[m + i] + fr[2 * m + i])
-                tau[i] = total * max(half * half, least)
-                bound = fr[2 * m + i] if tau[i] > 0.0 else fr[m + i]
-                if abs(tau[i]) > worst * bound:
-                    worst = abs(tau[i]) / bound if bound > 0.0 else 1e300
-                    where = i
-        if where < 0:
+        over = most_overloaded(m, mode, fr, tau, fixed)
+        if over < 0:
             return 0
-        free = 0
-        for i in range(m):
-            if mode[i] == STICK and fixed[i] == 0:
-                free += 1
-        if free <= r:
-            return 0
-        fixed[where] = 1
-        tau[where] = fr[2 * m + where] if tau[where] > 0.0 else -fr[m + where]
+        relieve(m, mode, r, a, fr, least, tau, fixed, over, x, dx, s)
     return 0
+
+
+def weight_of(m, i, fr, least):
+    """Weight of a clutch's share: its breakaway torque squared.
+
+    One without friction has a weight as well, a trillionth of all: with none the sum could not be
+    solved, and what the others hold is theirs whatever it can hold.
+    """
+    half = 0.5 * (fr[m + i] + fr[2 * m + i])
+    return max(half * half, least)  # a power would raise where this is infinite
+
+
+def add_weights(m, mode, r, a, fr, least, fixed, s):
+    """``s`` (r, r): what the torques not fixed give along each other's rows."""
+    for d in range(r * r):
+        s[d] = 0.0
+    for i in range(m):
+        if mode[i] == STICK and abs(fixed[i]) != 1:
+            weight = weight_of(m, i, fr, least)
+            for d in range(r):
+                for e in range(r):
+                    s[d * r + e] += weight * a[i * r + d] * a[i * r + e]
+
+
+def balance(m, mode, r, a, lam, fr, least, tau, fixed, x, s):
+    """Torques beside those that are fixed at a limit; ``x`` (r,): multipliers of the load."""
+    for d in range(r):
+        x[d] = lam[d]
+    for i in range(m):
+        if mode[i] == STICK and abs(fixed[i]) == 1:
+            tau[i] = fr[2 * m + i] if fixed[i] > 0 else -fr[m + i]
+            for d in range(r):
+                x[d] -= a[i * r + d] * tau[i]
+    add_weights(m, mode, r, a, fr, least, fixed, s)
+    if solve_many(s, x, r, 1) != 0:
+        return 1
+    for i in range(m):
+        if mode[i] == STICK and abs(fixed[i]) != 1:
+            total = 0.0
+            for d in range(r):
+                total += a[i * r + d] * x[d]
+            tau[i] = total * weight_of(m, i, fr, least)
+    return 0
+
+
+def most_overloaded(m, mode, fr, tau, fixed):
+    """The stuck clutch whose torque exceeds its limit most, by more than rounding; -1: none.
+
+    One without friction has no share worth the name, unless the load is more than the set can hold.
+    """
+    worst = 1.0 + 1e-12
+    where = -1
+    for i in range(m):
+        if mode[i] == STICK and fixed[i] == 0:
+            bound = fr[2 * m + i] if tau[i] > 0.0 else fr[m + i]
+            if bound > 0.0 and abs(tau[i]) > worst * bound:
+                worst = abs(tau[i]) / bound
+                where = i
+    return where
+
+
+def relieve(m, mode, r, a, fr, least, tau, fixed, over, x, dx, s):
+    """Bring the torque of clutch ``over`` to its limit, the others taking over what it leaves.
+
+    One that is at its limit and would take its share back on the way is set free.  Where nothing
+    takes over, the load is more than the set can hold, and ``over`` is left to bear it.
+    """
+    side = 1 if tau[over] > 0.0 else -1
+    weight = weight_of(m, over, fr, least)
+    excess = tau[over] - fr[2 * m + over] if side > 0 else -tau[over] - fr[m + over]
+    while fixed[over] == 0:
+        add_weights(m, mode, r, a, fr, least, fixed, s)
+        for d in range(r):
+            dx[d] = side * weight * a[over * r + d]
+        solve_many(s, dx, r, 1)
+        left = 1.0
+        for d in range(r):
+            left -= side * a[over * r + d] * dx[d]
+        # Nobody moves beside one that all but rounding is left to.
+        step = excess / (weight * left) if left > 1e-9 else 1e300
+        back = -1
+        for i in range(m):
+            if mode[i] == STICK and abs(fixed[i]) == 1:
+                pull = -fixed[i] * tau[i] / weight_of(m, i, fr, least)
+                rate = 0.0
+                for d in range(r):
+                    pull += fixed[i] * a[i * r + d] * x[d]
+                    rate -= fixed[i] * a[i * r + d] * dx[d]
+                if rate > 0.0 and max(pull, 0.0) < step * rate:
+                    step = max(pull, 0.0) / rate
+                    back = i
+        if back >= 0:
+            for d in range(r):
+                x[d] += step * dx[d]
+            excess -= step * weight * max(left, 0.0)
+            fixed[back] = 0
+        else:
+            fixed[over] = side if step < 1e300 else 2
