@@ -39,29 +39,30 @@ class ClutchText:
         ]
 
     def signals(self, i: int) -> dict[str, str]:
-        """Names a function on clutch ``i`` may ask for."""
+        """Names a function on clutch ``i`` may ask for, whatever it is for."""
         n = self.device.n
         angle = " + ".join(f"C[{i * n + j}] * y[{j}]" for j in range(n))
+        return self.a.common() | {
+            "excitation": f"y[{2 * n + i}]",
+            "effective": f"x{i}",
+            "slip": f"w{i}",
+            "speed": "speed",
+            "direction": "direction",
+            "command": f"held[{i}]",
+            "told_command": f"held[{i}]",
+            "angle": f"({angle})",
+        }
+
+    def transmitted(self, i: int) -> dict[str, str]:
+        """Names that only torques may ask for besides: where those are found, forces are known."""
+        n = self.device.n
         applied, own = (
             " + ".join(f"C[{i * n + j}] * Q[{block * n + j}]" for j in range(n)) for block in (0, 2)
         )
         found = {"applied": f"({applied})", "conservative": f"({own})"}
         if n == self.device.m == 1:
             found |= {"net": "(f[0] / C[0])", "mass": "(M[0] / (C[0] * C[0]))"}
-        return (
-            self.a.common()
-            | found
-            | {
-                "excitation": f"y[{2 * n + i}]",
-                "effective": f"x{i}",
-                "slip": f"w{i}",
-                "speed": "speed",
-                "direction": "direction",
-                "command": f"held[{i}]",
-                "told_command": f"held[{i}]",
-                "angle": f"({angle})",
-            }
-        )
+        return found
 
     def chain(self, port: str, start: str, i: int, provides: dict[str, str]) -> str:
         """``start`` passed through every effect on a port of clutch ``i``.
@@ -94,7 +95,7 @@ class ClutchText:
     def friction(self, i: int) -> list[str]:
         """Friction torques of clutch ``i``: slip now; or breakaway and slip at 0+, both ways."""
         m = self.device.m
-        given = self.signals(i)
+        given = self.signals(i) | self.transmitted(i)
         slip, brk = self.law_texts(i)
         for k in self.on("bristle_torque", clutch=i):
             call = self.a.call(
@@ -151,7 +152,7 @@ class ClutchText:
     def law_texts(self, i: int) -> tuple[str, str]:
         """Expressions for the slip and breakaway torque of clutch ``i``, effects included."""
         law, (_, own) = self.clutches[i].torque, self.laws[i]
-        name, given = f"clutch.{i + 1}.torque", self.signals(i)
+        name, given = f"clutch.{i + 1}.torque", self.signals(i) | self.transmitted(i)
         lawful = given | own | {"excitation": f"x{i}"}
         slip = self.chain("slip_torque", self.a.call(law, name, "slip_torque", lawful), i, given)
         brk = self.chain("break_torque", self.a.call(law, name, "break_torque", lawful), i, given)
@@ -166,7 +167,7 @@ class ClutchText:
             If the friction of the clutch depends on the torque that it transmits.
         """
         slip, brk = self.law_texts(i)
-        if "Q[" in slip + brk:
+        if any(each in slip + brk for each in self.transmitted(i).values()):
             raise WiringError(
                 f"clutch {i + 1}: friction by transmitted torque and a model of presliding "
                 f"({type(self.effects[self.on('bristle_torque', clutch=i)[0]]).__name__}) do not "

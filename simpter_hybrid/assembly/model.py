@@ -28,7 +28,9 @@ SIGNATURES = {
     "jump": "which, t, y, p, rec, held, dmode",
 }
 
-#: Signals that only a device of one coordinate and one clutch has.
+#: Signals of forces through a clutch, for torques alone; the second ones only a device of one
+#: coordinate and one clutch has.
+TRANSMITTED = ("applied", "conservative")
 SINGLE = ("net", "mass")
 
 
@@ -118,8 +120,13 @@ class Assembly:
 
     def lacking(self, argument: str, provides: Mapping[str, str]) -> str:
         """Why there is no such argument, and what there is."""
+        n, m = self.device.n, self.device.m
+        if argument in TRANSMITTED or (argument in SINGLE and n == m == 1):
+            return (
+                "only torques may ask for (slip_torque, break_torque, bristle_torque of a clutch): "
+                "forces are not known elsewhere"
+            )
         if argument in SINGLE:
-            n, m = self.device.n, self.device.m
             return (
                 "only a device of one coordinate and one clutch has: "
                 f"{type(self.device).__name__} has {n} and {m}"
