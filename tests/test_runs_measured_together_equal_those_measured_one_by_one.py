@@ -1,5 +1,7 @@
 """The studies' measures on a grid against the library's own of single reference runs."""
 
+from dataclasses import fields
+
 import numpy as np
 import pytest
 
@@ -31,3 +33,20 @@ def test_two_routes_to_the_same_numbers():
         # At an event one takes the acceleration before it, the other that after it.
         assert found.jerk[k] * INCH == pytest.approx(one.average_jerk, rel=2e-2)
     assert np.ptp(found.time) > 0.01
+
+
+@pytest.mark.parametrize(
+    "other",
+    [{"command": (0.0, 8.0, 0.0, 0.0), "excitation": (0.0, 8.0, 0.0, 0.0)}, {"event_limit": 3}],
+    ids=["start", "limit"],
+)
+def test_whatever_they_differ_in(other):
+    run = alike(line("impedance", 0.16))
+    runs = [run, run.replace(**other)]
+    found = measured(runs)
+    alone = [measured([each]) for each in runs]
+    for f in fields(found):
+        assert np.array_equal(
+            getattr(found, f.name), np.concatenate([getattr(each, f.name) for each in alone])
+        )
+    assert found.error[0] != found.error[1]

@@ -1,4 +1,4 @@
-"""Many runs of the line, measured on a grid: the compiled engine's ensemble behind a plain list."""
+"""Many runs of the line, measured on a grid by the compiled engine, behind a plain list."""
 
 from __future__ import annotations
 
@@ -7,10 +7,13 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from ..ensemble import Rows, ensemble
-from ..kernel.records import STOPPED
+from ..compiled import events_of
+from ..ensemble import Rows, run_part
+from ..kernel.records import STATUS, STOPPED
 from ..known_units import INCH
+from ..machine_code.program import Program, Results
 from ..scenario import Scenario
+from ..sweeps.batch import joined, structure
 from ..sweeps.tip_motion import tip_motion
 
 #: Step of the grid on which runs are measured [s].
@@ -88,47 +91,43 @@ def line_measures(scenarios: Sequence[Scenario]):
 
 
 def measured(scenarios: Sequence[Scenario], chunk: int = 32) -> Measured:
-    """Run and measure; scenarios of one model are run together, in any order.
+    """Run and measure; scenarios of one structure are run together, in any order.
 
     Raises
     ------
     CompiledUnavailable
     """
+    programs = [Program(s) for s in scenarios]
     groups: dict[tuple, list[int]] = {}
-    for k, s in enumerate(scenarios):
-        key = (s.text.finish(), s.period, s.t_end, len(s.breakpoints()))
-        groups.setdefault(key, []).append(k)
+    for k, program in enumerate(programs):
+        groups.setdefault(structure(program), []).append(k)
     columns = {f.name: np.zeros(len(scenarios)) for f in fields(Measured)}
     for members in groups.values():
         for first in range(0, len(members), chunk):
             part = members[first : first + chunk]
-            for name, column in run_group([scenarios[k] for k in part]).items():
+            for name, column in run_group([programs[k] for k in part]).items():
                 columns[name][part] = column
     reached = columns.pop("reached") > 0.0
     return Measured(reached=reached, **columns)
 
 
-def run_group(scenarios: list[Scenario]) -> dict[str, np.ndarray]:
-    """Runs of one model that differ in numbers only."""
+def run_group(programs: list[Program]) -> dict[str, np.ndarray]:
+    """Runs of one structure, that differ in numbers only."""
+    scenarios = [program.scenario for program in programs]
     base = scenarios[0]
     grid = np.arange(int(base.t_end / STEP) + 1) * STEP
-    found = ensemble(base, differing(scenarios), grid=grid, measure=line_measures(scenarios))
-    kinds = [[e.kind for e in found.events(k)] for k in range(len(found))]
-    stops = [sum(kind in ("slip stop", "breakaway") for kind in each) for each in kinds]
-    whole = {"reached": found.status == STOPPED, "time": found.t, "stops": np.array(stops)}
-    return whole | found.measures
+    found, taken = run_part(
+        base, joined(programs), grid, line_measures(scenarios), False, False
+    )  # fmt: skip
+    runs = [(each, k) for each in found for k in range(each.done)]
+    status = np.array([each.counts[k, STATUS] for each, k in runs])
+    stops = np.array([stops_of(base, each, k) for each, k in runs])
+    ends = np.concatenate([each.t for each in found])
+    return {"reached": status == STOPPED, "time": ends, "stops": stops} | taken
 
 
-def differing(scenarios: list[Scenario]) -> dict[str, np.ndarray]:
-    """Columns for ``ensemble(vary=...)``: what differs between scenarios of one model."""
-    base = scenarios[0]
-    values = np.array([s.parameter_values() for s in scenarios])
-    columns = {
-        name: values[:, k]
-        for k, name in enumerate(base.parameter_names())
-        if np.ptp(values[:, k]) > 0.0
-    }
-    for j, name in enumerate(base.device.coordinates):
-        columns[f"q.{name}"] = np.array([s.q[j] for s in scenarios])
-        columns[f"qd.{name}"] = np.array([s.qd[j] for s in scenarios])
-    return columns
+def stops_of(scenario: Scenario, found: Results, case: int) -> int:
+    """How often a clutch came to rest or let go in a case."""
+    (first, _, _), (count, _, _) = found.kept(0, case), found.kept(case, case + 1)
+    events = events_of(scenario, found.records["event_t"], found.records["event_i"], first, count)
+    return sum(event.kind in ("slip stop", "breakaway") for event in events)
