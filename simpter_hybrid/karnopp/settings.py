@@ -66,6 +66,8 @@ class Settings:
             value = getattr(self, name)
             if value is not None and not (math.isfinite(value) and value > 0.0):
                 raise ValueError(f"{name} = {value!r}{unit} must be a positive, finite number")
+        if not self.max_steps >= 1:
+            raise ValueError(f"max_steps = {self.max_steps!r} must be at least 1")
 
     @property
     def fixed_step(self) -> float:

@@ -64,8 +64,9 @@ def after(instants: np.ndarray, t_end: float) -> np.ndarray:
 def brief(trajectory: Trajectory, step: float, tip: Any, acceleration: np.ndarray) -> Measured:
     """The measures taken of every case; None for what fewer than three instants do not tell.
 
-    They are those of ``metrics.measures``, with the same names: only what needs the model evaluated
-    at every event is left out.
+    They are those of ``metrics.measures`` without what needs the model evaluated at every event,
+    under the same names where one number serves: ``reversals`` are those of all clutches, and each
+    clutch has a ``saturation_time.<number>`` of its own. ``events`` counts those of the run.
 
     Parameters
     ----------
