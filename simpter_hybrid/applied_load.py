@@ -28,6 +28,14 @@ class Load(Part):
         """Instants at which the force is not smooth [s]; they end segments."""
         return ()
 
+    def jumps(self) -> tuple[float, ...]:
+        """Those of the ``breakpoints`` at which the force itself jumps [s].
+
+        At one of them ``force`` gives what comes after it; the segment before it ends an instant
+        earlier.
+        """
+        return ()
+
     def knots(self) -> tuple[float, ...]:
         """Instants at which a smooth force's curvature jumps [s], rising.
 

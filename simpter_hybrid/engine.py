@@ -87,7 +87,7 @@ def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
     """
     s, md, w = run.scenario, run.md, run.w
     k = 0
-    breaks = [*s.breakpoints(), math.inf]
+    breaks, jumps = [*s.breakpoints(), math.inf], s.jumps()
     before = recorder.snapshot(w)
     run.sample(k)
     k = 1
@@ -105,7 +105,9 @@ def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
         fallen = [i for i, g in enumerate(start) if g < 0.0]
         recorder.segment(run.t, w)
         if not fallen:
-            fallen = integrate(run, target, start, recorder) if target > run.t else []
+            # What holds before a load jumps holds up to the float before.
+            end = math.nextafter(target, 0.0) if target in jumps else target
+            fallen = integrate(run, end, start, recorder) if end > run.t else []
             if why := contradiction(md, w, run.y):
                 raise SimulationFailure(f"at t = {run.t!r} s {why}")
         if fallen:
@@ -114,6 +116,7 @@ def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
             if outcome:
                 return outcome
             continue
+        run.t = target
         recorder.close(run.t)
         before = recorder.snapshot(w)
         if run.t >= t_sample and run.t < s.t_end:

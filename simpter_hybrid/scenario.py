@@ -143,6 +143,11 @@ class Scenario:
             found.update(far_apart(load.knots(), self.max_step))
         return tuple(sorted(t for t in found if 0.0 < t < self.t_end))
 
+    def jumps(self) -> tuple[float, ...]:
+        """Instants at which the force of a load jumps [s], sorted, up to the run's end."""
+        found = {t for load in self.loads for t in load.jumps()}
+        return tuple(sorted(t for t in found if 0.0 < t <= self.t_end))
+
     def python_model(self) -> Model:
         """The model with its functions as plain Python on lists."""
         f = execute(self.text.finish())

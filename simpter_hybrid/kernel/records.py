@@ -75,8 +75,8 @@ COMPILED = {
     "o": fields(
         v="halt",
         f="t_end period rtol atol max_step",
-        i="event_limit step_limit record nh nd nbreaks nrestarts ngrid",
-        A="breaks restart_t restart_y grid rows",
+        i="event_limit step_limit record nh nd nbreaks njumps nrestarts ngrid",
+        A="breaks jumps restart_t restart_y grid rows",
     ),
     #: What runs leave behind; ``n``: counts (``EVENTS`` and the following).
     "rec": fields(

@@ -75,13 +75,16 @@ def run(md, o, rec, w, y):
         margin = w.G[which] if which >= 0 else 0.0
         if not open_segment(md, o, t, w, rec):
             return FULL, t, -1
-        if which < 0 and target > t:
-            status, t, h, which, at_grid = flow_on(md, o, at_grid, t, target, h, count, w, y, rec)
+        end = before_jump(o, target)
+        if which < 0 and end > t:
+            status, t, h, which, at_grid = flow_on(md, o, at_grid, t, end, h, count, w, y, rec)
             if status != 0:
                 return status, t, which
             if which >= 0:
                 guards(md, t, y, w, w.g)
                 margin = w.g[which]
+        if which < 0:
+            t = target
         if o.record:
             rec.segment_t[2 * rec.n[SEGMENTS] - 1] = t
         if which >= 0:
@@ -116,6 +119,14 @@ def next_told(o, t_sample, at_break, at_restart):
         target = min(target, o.breaks[at_break])
     if at_restart < o.nrestarts:
         target = min(target, o.restart_t[at_restart])
+    return target
+
+
+def before_jump(o, target):
+    """Where a segment to ``target`` ends: where a load jumps, at the float before."""
+    for i in range(o.njumps):
+        if o.jumps[2 * i] == target:
+            return o.jumps[2 * i + 1]
     return target
 
 

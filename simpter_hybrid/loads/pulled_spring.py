@@ -70,6 +70,10 @@ class PulledSpring(Load):
         """The instants of the points [s]."""
         return tuple(t for t, _ in self.points)
 
+    def jumps(self) -> tuple[float, ...]:
+        """The same with damping, which feels the end's speed."""
+        return self.breakpoints() if self.damping > 0.0 else ()
+
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
         return counted(self.points)

@@ -140,6 +140,9 @@ class Program:
         self.width = z["ny"] + z["n"] + z["m"] + z["nh"]
         self.numbers = numbers | dict(zip(FUNCTIONS, self.model[1], strict=True))
         self.breaks = np.array(scenario.breakpoints(), dtype=float)
+        jumps = np.array(scenario.jumps(), dtype=float)
+        #: Instants at which loads jump, each with the float before.
+        self.jumps = np.column_stack([jumps, np.nextafter(jumps, 0.0)]).ravel()
         self.switching = scenario.switching()
 
     def cases(self, count: int) -> Cases:
@@ -159,7 +162,8 @@ class Program:
         return Slots(
             COMPILED["o"], t_end=s.t_end, period=s.period, rtol=s.rtol, atol=s.atol,
             max_step=s.max_step, event_limit=s.event_limit, nh=z["nh"], nd=z["nd"],
-            nbreaks=len(self.breaks), breaks=self.breaks, **more,
+            nbreaks=len(self.breaks), breaks=self.breaks, njumps=len(self.jumps) // 2,
+            jumps=self.jumps, **more,
         )  # fmt: skip
 
     def call(

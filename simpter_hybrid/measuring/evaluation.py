@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -53,6 +54,8 @@ class Evaluation:
         self.functions = self.scenario.device.functions()
         self._tip_force = self.scenario.tip_force()
         self._unique: dict[tuple[int, ...], list[bool]] = {}
+        self._jumps = frozenset(self.scenario.jumps())
+        self._before_jump = math.nan
 
     @property
     def mode(self) -> tuple[int, ...]:
@@ -67,6 +70,8 @@ class Evaluation:
         ):  # fmt: skip
             values = rows[segment].tolist()
             getattr(w, name)[: len(values)] = values
+        begin, end = run.segment_t[segment].tolist()
+        self._before_jump = end if end in self._jumps and end > begin else math.nan
         if start is None:
             begins = run.segment_t[segment, :1]
             start = states(run, begins, np.array([segment]))[0].tolist()
@@ -85,7 +90,7 @@ class Evaluation:
             ``y`` with the speeds that the stuck set leaves.
         """
         md, w = self.md, self.w
-        y = list(y)
+        t, y = self.instant(t), list(y)
         constrain(md, y, w)
         self.limits(t, y)
         evaluate(md, t, y, w)
@@ -94,6 +99,10 @@ class Evaluation:
                 find_facets(md, w)
             hold(md, w)
         return y
+
+    def instant(self, t: float) -> float:
+        """Time at which loads are asked [s]: what jumps at the segment's end does so after it."""
+        return math.nextafter(t, 0.0) if t == self._before_jump else t
 
     def limits(self, t: float, y: list[float]) -> None:
         """Write what every engaged clutch could hold if it were at rest now into ``w.fr``."""
@@ -105,7 +114,7 @@ class Evaluation:
     def tip_force(self, t: float, y: list[float]) -> list[float]:
         """Sum of the forces on the tip (2,) [N]: what a force sensor in its handle reads."""
         out = [0.0] * 4
-        self._tip_force(t, y, self.md.p, self.md.rec, self.w.held, self.w.s, out)
+        self._tip_force(self.instant(t), y, self.md.p, self.md.rec, self.w.held, self.w.s, out)
         return out[:2]
 
     def margins(self) -> list[float]:

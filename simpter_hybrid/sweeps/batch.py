@@ -35,7 +35,8 @@ def structure(program: Program) -> tuple:
     options = (s.t_end, s.period, *tolerances, s.event_limit, len(s.rec))
     kinds = tuple(tuple(program.switching[name]) for name in KINDS)
     numbers = tuple(sorted(program.numbers.items()))
-    return (s.text.finish(), numbers, kinds, tuple(program.breaks), options)
+    known = (tuple(program.breaks), tuple(program.jumps))
+    return (s.text.finish(), numbers, kinds, known, options)
 
 
 def joined(programs: Sequence[Program]) -> Cases:
