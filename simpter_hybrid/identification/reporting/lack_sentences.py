@@ -10,7 +10,7 @@ from ..tracing.locating import located
 from ..tracing.rivals import OFF_FLOOR
 from ..tracing.round import above_floor
 from ..tracing.traced import of_all_balances
-from ..tracing.verdict import COLOURED_ALONE, DRIVER_ALONE
+from ..tracing.verdict import COLOURED, COLOURED_ALONE, DRIVER_ALONE
 from ..untested import untested
 from .dependence_text import SAME, among_others, depends_on, is_straight
 from .held_out_sentences import (
@@ -224,7 +224,21 @@ def noise_left_text(found: Diagnosis) -> str:
 def _of_the_driver(found: Diagnosis) -> bool:
     """Whether only the force of a driver, which nobody logged, could be so far off by itself."""
     done = found.search
-    return found.limits.told and done.corrected.select_error > COLOURED_ALONE * done.floor
+    most = COLOURED if _rounding_is_all(found) else COLOURED_ALONE
+    return found.limits.told and done.corrected.select_error > most * done.floor
+
+
+def _rounding_is_all(found: Diagnosis) -> bool:
+    """Whether the sensors compared are told to round, and no other noise of theirs is.
+
+    What rounding leaves out is half a step at most, 1.7 times its own floor, however slow it is.
+    """
+    if found.recording is None:
+        return False
+    names = {name for runs in found.split.report for name in runs.observed}
+    channels = [found.recording.channels.get(name) for name in names]
+    stepped = [c is not None and c.step is not None and c.noise is None for c in channels]
+    return bool(stepped) and all(stepped)
 
 
 def _noise_that(found: Diagnosis) -> str:
