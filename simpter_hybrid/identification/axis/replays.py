@@ -105,7 +105,8 @@ def _seen(
     run: RecordedRun, recording: Recording, s: AxisSignals, starts: Sequence[int]
 ) -> _Seen:  # fmt: skip
     time, alone = run.time - run.time[0], _let_alone(run, s)
-    told = np.arange(time.size) >= rows_untold(run, s)
+    late = rows_untold(run, s)
+    told = np.arange(time.size) >= next((k for k in starts if k >= late), late)
     return _Seen(
         run, recording, s, starts, time, told, s.speed in run.channels, alone,
         alone or _own_loop(run, s),

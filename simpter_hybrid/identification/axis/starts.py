@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from ..fitting.replay import Replay
 from ..recordings.checks import Finding
 from ..recordings.row_step import row_step
 from ..recordings.smoothing import even_step, from_row, local_fit
-from ..rigs.start_state import ToldState, first_told, told_at_zero
+from ..rigs.start_state import ToldState, first_told, joined_at_zero, serves, told_at_zero
 from .windows import CUBIC, half_width, span_of
 
 #: The degree if the speed was measured (`local_fit`).
@@ -39,9 +40,9 @@ def start_states(
     half = half_width(row_step(time))
     if sd is not None:
         near = _near(time, starts, 2 * half, CUBIC, bent)
-        return [told_at_zero(t, position[rows], sd, CUBIC).state for rows, t in near]
+        return [_told(position, one, sd).state for one in near]
     uneven, found = even_step(time) is None, []
-    for k, (rows, t) in zip(starts, _near(time, starts, half, PARABOLA, bent), strict=True):
+    for k, (rows, t, _) in zip(starts, _near(time, starts, half, PARABOLA, bent), strict=True):
         at, stamps = k - rows.start, t if uneven else None
         found.append(
             (local_fit(position[rows], at, stamps), local_fit(speed[rows], at, stamps))
@@ -58,23 +59,53 @@ def told_starts(
     of most windows and not these: a record may begin while a force still rises.
     """
     near = _near(time, starts, 2 * half_width(row_step(time)), CUBIC, bent)
-    found = [told_at_zero(t, position[rows], sd, CUBIC) for rows, t in near]
+    found = [_told(position, one, sd) for one in near]
     if len(found) < WINDOWS or starts[0] > 0 or sd <= 0.0:
         return found
     usual = float(np.median([told.left for told in found[1:]]))
     if found[0].left > MISFIT * max(sd, usual):
-        rows, t = near[0]
+        rows, t, _ = near[0]
         found[0] = first_told(t, position[rows], CUBIC + MORE, sd, CUBIC)
     return found
 
 
+class _Near(NamedTuple):
+    """Rows to which a polynomial is fitted for a start, and their times from it on [s].
+
+    `across` are the times of the bends within them, which are too near to be kept out of.
+    """
+
+    rows: slice
+    time: np.ndarray
+    across: np.ndarray
+
+
+def _told(position: np.ndarray, near: _Near, sd: float) -> ToldState:
+    """What a cubic says of a start; where it does not serve across bends, cubics joined at them.
+
+    Unless the rows tell the speed of so many numbers worse than the cubic does by what it leaves.
+    """
+    given = near.time, position[near.rows], sd, CUBIC
+    told = told_at_zero(*given)
+    if not near.across.size or serves(told, near.time.size, sd, CUBIC):
+        return told
+    joined = joined_at_zero(*given, near.across)
+    if joined is None or joined.speed_sd * sd > told.speed_sd * told.left:
+        return told
+    return joined
+
+
 def _near(
     time: np.ndarray, starts: Sequence[int], reach: int, degree: int, bent: np.ndarray
-) -> list[tuple[slice, np.ndarray]]:
-    """Rows to which a polynomial is fitted for each start, and their times from it on [s]."""
-    step, least = even_step(time), max(degree + MORE, reach)
-    spans = [slice(*span_of(k, reach, time.size, bent, least)) for k in starts]
-    return [(rows, from_row(time, k, rows, step)) for k, rows in zip(starts, spans, strict=True)]
+) -> list[_Near]:
+    """The rows of each start."""
+    step, least, found = even_step(time), max(degree + MORE, reach), []
+    for k in starts:
+        rows = slice(*span_of(k, reach, time.size, bent, least))
+        t = from_row(time, k, rows, step)
+        inside = bent[(bent > rows.start) & (bent < rows.stop - 1)]
+        found.append(_Near(rows, t, t[inside - rows.start]))
+    return found
 
 
 def first_untold(told: Sequence[ToldState], sd: float) -> bool:

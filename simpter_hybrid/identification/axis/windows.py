@@ -166,7 +166,7 @@ def span_of(k: int, half: int, size: int, bent: np.ndarray, least: int) -> tuple
     """First row and one past the last from which a start at row `k` is fitted.
 
     Up to `half` rows on either side that no bend parts from it; of a bend itself those on the wider
-    side.  Where bends leave fewer than `least` rows they count for nothing.
+    side.  Where bends leave fewer than `least` rows it goes across them.
     """
     i = int(np.searchsorted(bent, k))
     below = int(bent[i - 1]) if i > 0 else 0
@@ -184,24 +184,30 @@ def span_of(k: int, half: int, size: int, bent: np.ndarray, least: int) -> tuple
 def smooth_places(
     course: np.ndarray, starts: Sequence[int], half: int, bent: Sequence[int] | np.ndarray = ()
 ) -> list[int]:
-    """Starts of windows: near `starts` (the first as it is), where a cubic fits best.
+    """Starts of windows: near `starts`, where a cubic fits best; the first is not earlier.
 
     Beside a stop or a reversal friction bends the course, and no fit tells the speed there.  The
     rows `bent`, in order, are kept away from as far as a fit reaches, or as far as can be: in noise
-    it does not show that it was off by 0.3 rad/s there.
+    it does not show that it was off by 0.3 rad/s there.  For these alone the first start goes on,
+    if it is not that of the record.
     """
     width = 2 * half + 1
     if len(starts) < 2 or course.size < width:
         return list(starts)
     misfit = moving_mean((course - savgol_filter(course, width, CUBIC)) ** 2, width)
     edges = np.array([-course.size, *bent, 2 * course.size])
-    best, reach = [], (starts[1] - starts[0]) // 4
+    first, best, reach = starts[0], [], (starts[1] - starts[0]) // 4
+
+    def off(near: np.ndarray) -> np.ndarray:
+        i = np.searchsorted(edges, near)
+        return np.minimum(np.minimum(near - edges[i - 1], edges[i] - near), half)
+
     for k in starts[1:]:
         near = np.arange(k - reach, min(k + reach + 1, course.size))
-        i = np.searchsorted(edges, near)
-        off = np.minimum(np.minimum(near - edges[i - 1], edges[i] - near), half)
-        best.append(int(near[np.lexsort((misfit[near], -off))[0]]))
-    return [starts[0], *best]
+        best.append(int(near[np.lexsort((misfit[near], -off(near)))[0]]))
+    if first > 0:
+        first += int(np.argmax(off(np.arange(first, first + reach + 1))))
+    return [first, *best]
 
 
 def steepest(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import NamedTuple
 
 import numpy as np
@@ -51,9 +52,8 @@ def first_told(
     passed = [told_at_zero(t[:count], values[:count], sd, degree)]
     while (count := max(count + 1, round(GROWS * count))) <= t.size and t[count - 1] <= LONGEST:
         told = told_at_zero(t[:count], values[:count], sd, degree)
-        free = count - degree - 1
         apart = (abs(told.speed - o.speed) > APART * o.speed_sd for o in passed)
-        if told.left > (1.0 + ERRORS / np.sqrt(2.0 * free)) * sd or any(apart):
+        if not serves(told, count, sd, degree) or any(apart):
             break
         passed.append(told)
     return passed[-1]
@@ -87,12 +87,46 @@ class ToldState(NamedTuple):
         return self.position, self.speed if abs(self.speed) > least * self.speed_sd else 0.0
 
 
+def serves(told: ToldState, rows: int, sd: float, degree: int) -> bool:
+    """Whether a polynomial through so many rows leaves no more of them than noise."""
+    return told.left <= (1.0 + ERRORS / np.sqrt(2.0 * (rows - degree - 1))) * sd
+
+
 def told_at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> ToldState:
     """What the polynomial through samples at `t` says of time 0 [s]."""
-    powers = np.vander(t, degree + 1, increasing=True)
-    fit = np.linalg.lstsq(powers, values, rcond=None)[0]
-    speed_sd = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers)[1, 1]))
-    square = float(np.sum((values - powers @ fit) ** 2))
-    left = np.sqrt(square / max(1, t.size - degree - 1))
-    stays = float(np.std(values)) <= (1.0 + ERRORS / np.sqrt(2.0 * t.size)) * sd
+    return _told(np.vander(t, degree + 1, increasing=True), values, sd)
+
+
+def joined_at_zero(
+    t: np.ndarray, values: np.ndarray, sd: float, degree: int, bends: Collection[float]
+) -> ToldState | None:
+    """What polynomials say of time 0 that meet at each of `bends` [s], in place and speed.
+
+    Neighbours differ in all higher powers, or in as many as the rows tell; None if they do not tell
+    all squares.
+    """
+    unit = float(np.abs(t).max())
+    columns = np.vander(t / unit, degree + 1, increasing=True)
+    # The polynomial is that of time 0: what a neighbour adds counts on the far side of its bend.
+    far = [np.maximum(t - b if b >= 0.0 else b - t, 0.0) / unit for b in bends]
+    for power in range(2, degree + 1):
+        for beyond in far:
+            more = np.column_stack([columns, beyond**power])
+            count = more.shape[1]
+            if count < t.size and np.linalg.matrix_rank(more) == count:
+                columns = more
+            elif power == 2:
+                return None
+    told = _told(columns, values, sd)
+    return told._replace(speed=told.speed / unit, speed_sd=told.speed_sd / unit)
+
+
+def _told(columns: np.ndarray, values: np.ndarray, sd: float) -> ToldState:
+    """Of what columns (rows, numbers) say of values, by the first two: a place and a speed."""
+    rows, numbers = columns.shape
+    fit = np.linalg.lstsq(columns, values, rcond=None)[0]
+    speed_sd = sd * float(np.linalg.norm(np.linalg.pinv(columns)[1]))
+    square = float(np.sum((values - columns @ fit) ** 2))
+    left = np.sqrt(square / max(1, rows - numbers))
+    stays = float(np.std(values)) <= (1.0 + ERRORS / np.sqrt(2.0 * rows)) * sd
     return ToldState(float(fit[0]), float(fit[1]), speed_sd, float(left), stays)
