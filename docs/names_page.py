@@ -23,6 +23,7 @@ from simpter_hybrid.identification.axis.candidates import (
 )
 from simpter_hybrid.identification.axis.drive import drive_candidates, rippling
 from simpter_hybrid.identification.axis.flexible import flexible_mode
+from simpter_hybrid.identification.axis.let_go import released
 from simpter_hybrid.identification.axis.motor import with_pulses
 from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
@@ -154,6 +155,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     driven = [
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]
+    driven += [released(told[1].loads[0], 0.0)]
     driven += [*set_point_candidates(slide), speed_offset(1.0, True), *late_speed(BESIDE_NONE)]
     driven += [flexible_mode(1.0, 50.0, (), True), *rippling(slide, (wave,), turn)]
     robot = load(str(find_model("robot")))

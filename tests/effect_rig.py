@@ -16,6 +16,7 @@ from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.drive_limit import DriveLimit
+from simpter_hybrid.effects.drive_released import DriveReleased
 from simpter_hybrid.effects.drive_ripple import DriveRipple
 from simpter_hybrid.effects.drive_saturation import DriveSaturation
 from simpter_hybrid.effects.other_commands import OtherCommands
@@ -29,7 +30,7 @@ from simpter_hybrid.scenario import Scenario
 #: Effects that need more clutches than the rig has, or a motor's servo.
 ELSEWHERE = (
     "CrossCoupling", "DriveDeadband", "DriveGain", "DriveLag", "DriveLimit", "DriveRipple",
-    "DriveSaturation",
+    "DriveReleased", "DriveSaturation",
     "OtherCommands", "OtherExcitations", "StrayField", "WindingHeat",
 )  # fmt: skip
 #: Commands of a clutch beside it on the same supply.
@@ -101,6 +102,7 @@ BETWEEN = {
     "DriveLag": DriveLag(coordinate=0, lag=0.02, constant=1.5),
     "WindingHeat": WindingHeat(coordinate=0, rise=0.5, energy=2.0, constant=1.5, back=0.2),
     "DriveLimit": DriveLimit(coordinate=0, limit=0.5, constant=1.5, back=0.1),
+    "DriveReleased": DriveReleased(coordinate=0, share=1.0, below=0.3, constant=1.5, back=0.1),
     "DriveRipple": DriveRipple(coordinate=0, cosine=0.2, number=3.0, constant=1.5),
     "DriveSaturation": DriveSaturation(coordinate=0, fall=0.3, most=0.6, constant=1.5),
     "OtherCommands": OtherCommands(clutch=0, gain=-0.05),

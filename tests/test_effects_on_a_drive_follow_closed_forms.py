@@ -13,6 +13,7 @@ from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.drive_limit import DriveLimit
+from simpter_hybrid.effects.drive_released import DriveReleased
 from simpter_hybrid.effects.drive_ripple import DriveRipple
 from simpter_hybrid.effects.drive_saturation import DriveSaturation
 from simpter_hybrid.effects.winding_heat import WindingHeat
@@ -98,6 +99,17 @@ def test_a_limit_of_current_ends_where_the_speed_makes_up_for_it():
     expected = top - (top - K * (U - limit) / back) * exp(-rate * rest)
     effect = DriveLimit(coordinate=0, limit=limit, constant=K, back=back)
     assert pushed(1e300, effect=effect, motor=motor) == pytest.approx(expected, rel=CLOSE)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize(("below", "share", "part"), [(U, 0.4, 0.6), (0.99 * U, 1.0, 1.0)])
+def test_a_motor_let_go_of_gives_so_much_less_where_no_more_is_told(below, share, part, sign):
+    motor, back = VoltageDrive(1.5, 1.5 / K), 1.5 * K
+    effect = DriveReleased(coordinate=0, share=share, below=below, constant=K, back=back)
+    expected = sign * K * U / back * (1.0 - exp(-part * back / J * T))
+    assert pushed(1e300, sign=sign, effect=effect, motor=motor) == pytest.approx(
+        expected, rel=CLOSE
+    )
 
 
 def test_without_a_lag_the_drive_is_as_told():

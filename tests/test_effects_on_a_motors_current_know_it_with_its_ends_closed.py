@@ -7,6 +7,7 @@ from axis_recordings import declared_axis
 
 from simpter_hybrid.checks.validation import validate
 from simpter_hybrid.effects.drive_limit import DriveLimit
+from simpter_hybrid.effects.drive_released import DriveReleased
 from simpter_hybrid.effects.winding_heat import WindingHeat
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
@@ -31,6 +32,16 @@ def test_effects_on_a_current_are_refused_where_a_driver_opens_its_motor(effect)
     validate(declared(0.0, effect))
     with pytest.raises(InvalidInput, match="takes the ends of its motor for closed"):
         validate(declared(1.0, effect))
+
+
+@pytest.mark.parametrize("effect", EFFECTS)
+def test_they_are_refused_beside_a_driver_that_opens_them_where_it_is_told_nothing(effect):
+    opens = DriveReleased(coordinate=0, share=1.0)
+    validate(declared(0.0, opens))
+    with pytest.raises(InvalidInput, match="opens the ends of a motor that another effect takes"):
+        validate(declared(0.0, effect, opens))
+    with pytest.raises(InvalidInput, match="takes the ends of its motor for closed"):
+        validate(declared(1.0, opens))
 
 
 @pytest.mark.parametrize("coasting", [0.0, 1.0])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..effect import Effect
+from ..effects.drive_released import DriveReleased
 from ..loads.drive import VoltageDrive
 from ..problems import Problems
 from ..scenario import Scenario
@@ -55,7 +56,7 @@ def check_effects(s: Scenario, problems: Problems) -> None:
 
 
 def check_ends(s: Scenario, k: int, problems: Problems) -> None:
-    """An effect on a motor's current, where a driver lets none flow between its pulses."""
+    """An effect on a motor's current, where a driver at times lets none flow."""
     effect = s.effects[k]
     for load in s.loads if effect.ends_closed else ():
         if not isinstance(load, VoltageDrive) or load.coordinate != effect.coordinate:
@@ -64,6 +65,11 @@ def check_ends(s: Scenario, k: int, problems: Problems) -> None:
             what = f"{type(effect).__name__} takes the ends of its motor for closed at all times"
             right = "coasting = 0 of the voltage-drive, or no such effect on it"
             problems.add(("effects", k), what, f"coasting = {load.coasting:g}", right)
+    others = (o for o in s.effects if o is not effect and o.coordinate == effect.coordinate)
+    if isinstance(effect, DriveReleased) and any(other.ends_closed for other in others):
+        what = "it opens the ends of a motor that another effect takes for closed at all times"
+        right = "one of the two alone"
+        problems.add(("effects", k), what, "DriveReleased", right)
 
 
 def check_lag(s: Scenario, k: int, problems: Problems) -> None:

@@ -27,6 +27,7 @@ from .drive_force import motors_of
 from .driven import Driven, how_driven, most_told
 from .flexible import flexible_candidates
 from .halves import halves, middle_of
+from .let_go import let_go
 from .motor import motor_of, pulses_untold, with_pulses
 from .noise_allowed import input_noise, limits_of
 from .opposed import opposed
@@ -75,6 +76,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     else:
         tried = placeless(predictor, fitted[0], tried)
     tried += _of_what_drives(declared, fitted, driven, force)
+    if driven.told and signals.engaged not in searched.channels:
+        tried += let_go(declared, fitted)
     turn = sizes.turn if placed else 0.0
     pressed = float(np.ptp(np.concatenate([run.inputs["press"] for run in fitted]))) > 0.0
     drifts = driven.alone and not placed

@@ -118,8 +118,8 @@ class ScenarioPredictor:
         """Whether the effect goes together with those that the model has."""
         extended, problems = self.extended(candidate), Problems(self.declared.name)
         parts = (*self.declared.effects, *(part for e in extended.effects for part in e.effects()))
-        closed = any(part.ends_closed for part in parts)
-        if closed and any(e.ends_opened for e in extended.effects):
+        opened = [e for e in extended.effects if e.ends_opened]
+        if any(part.ends_closed and part not in e.effects() for e in opened for part in parts):
             return False
         made = extended.driven
         check_effects(made, problems)
