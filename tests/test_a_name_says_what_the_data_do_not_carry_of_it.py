@@ -70,6 +70,11 @@ def test_of_a_single_size_it_is_said_how_little_is_known():
     row = {"name": "scale.share", "value": 0.19, "half_width": 0.22}
     assert "these data hardly tell" in unsized_sentence(one, [row], gains)
     assert unsized_sentence(one, [row | {"half_width": 0.1}], gains) == ""
+    # The runs held out differ so much that they say nothing of another one.
+    unsure = [[gains[0][0]._replace(low=-0.1)]]
+    said = unsized_sentence(one, [row], unsure)
+    assert "That there is" not in said
+    assert "another such run may show nothing of it" in said
 
 
 def test_beside_rivals_the_runs_held_out_say_that_one_of_them_is_there():

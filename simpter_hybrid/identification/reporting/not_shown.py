@@ -39,7 +39,7 @@ def unsized_sentence(
     sits in the instants of a few breakaways a derivative tells little, and several sizes may make
     up for one another.  Of these it is said that none is known by itself, and of a single one how
     little is known of it.  Beside rivals the runs held out say no more than that one of them is
-    there.
+    there, and nothing of other runs where these differ too much.
 
     Parameters
     ----------
@@ -50,7 +50,9 @@ def unsized_sentence(
         Of the candidates of each round.
     """
     told = {p["name"]: p for p in parameters}
-    sure = {gain.name for gain in _of_named(found, gains) if gain.low_here > 0.0}
+    named = _of_named(found, gains)
+    sure = {gain.name for gain in named if gain.low_here > 0.0}
+    here = {gain.name for gain in named if gain.low <= 0.0}
     wide = [
         e for e in found.search.corrected.effects
         if e.sizes and sizes_may_be_zero(e, told)
@@ -61,7 +63,9 @@ def unsized_sentence(
         if e.name in sure and len(e.sizes) > 1
         and all(abs(told[n].get("largest_correlation", 0.0)) > TRADED for n in e.sizes)
     ]  # fmt: skip
-    alone = [e.listed_as for e in wide if e.name in sure and len(e.sizes) == 1]
+    single = [e for e in wide if e.name in sure and len(e.sizes) == 1]
+    alone = [e.listed_as for e in single if e.name not in here]
+    only_here = [e.listed_as for e in single if e.name in here]
     said = []
     if unsized:
         said.append(
@@ -82,6 +86,13 @@ def unsized_sentence(
         said.append(
             f"{there} the runs held out say; how much {much}, these data hardly tell: the 95 % "
             "interval has zero in it."
+        )
+    if only_here:
+        names = " and ".join(only_here)
+        said.append(
+            f"These runs held out are predicted better with {names}, but another such run may show "
+            "nothing of it, and these data hardly tell how much of it there is: both 95 % "
+            "intervals have zero in them."
         )
     return " ".join(said)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...checks.law_check import least_breakaway
-from ...effects.dwell_breakaway import DwellBreakaway
 from ...scenario import Scenario
 from ..rigs.candidate import ECHOES
 from ..rigs.declared_off import (
@@ -61,9 +60,11 @@ def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
     least = 1.0 / least_breakaway(clutch.torque, clutch.full_scale) - 1.0
     where = "breakaway:rest", "breakaway:level"
     bounds = min(least, 0.0), 2.0, 0.02
-    # Of ramps that end before it, or rests that are all alike, a form of what grows with rest.
-    family = DwellBreakaway.family
-    one = off_by_a_share(BREAKAWAY_SCALE, numbers, bounds, 0.2, family, "breakaway", where, LEVELS)
+    # Of ramps that end before it, or rests that are all alike, no record tells it from what grows
+    # with rest: a rival of that, since a declared number that is off is no effect.
+    one = off_by_a_share(
+        BREAKAWAY_SCALE, numbers, bounds, 0.2, BREAKAWAY_SCALE, "breakaway", where, LEVELS
+    )
     return (replace(one, echoes=ECHOES),)
 
 
