@@ -150,6 +150,14 @@ def test_what_an_earlier_effect_leaves_on_its_own_coordinate_is_not_foreign(left
     assert said.kind == kind
 
 
+@pytest.mark.parametrize(("balance", "kind"), [("breakaway", "form incomplete"), ("load", "open")])
+def test_what_friction_leaves_in_the_drives_balance_too_is_foreign(balance, kind):
+    # It does not change what the drive gives beside what the clutch is read to take: a sensor does.
+    most = [trial("a", 1.18, coordinates=("friction:x",))]
+    after = [depends("friction:x", 0.1), depends(f"{balance}:x", 0.1)]
+    assert judged(most, [depends("friction:x", 0.3)], after, FLOOR, ratio=1.5).kind == kind
+
+
 @pytest.mark.parametrize(
     ("error", "left", "kind"),
     [

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..tracing.limits import IMPERFECT, SINGLE_AXIS
 from ..tracing.locating import located
-from ..tracing.named import REVERSAL, balance_of, coordinate_of
+from ..tracing.named import OF_BOTH, REVERSAL, balance_of, coordinate_of
 from ..tracing.signature import Dependence
 from ..tracing.slow_state import RUN
 
@@ -26,8 +26,6 @@ PLACES = {
     "vibration": "a vibration: how much the torque spreads from sample to sample",
     "ringing": "the torque rings after each",
 }
-#: Balances of a rotor's clutch and of its motor, in both of which an error of the sensor shows.
-OF_BOTH = ("friction", "load")
 #: On what such an error depends: itself, or what grows with its drift.
 OF_A_SENSOR = ("torque", "time", "heat", "distance")
 #: With one friction on one axis its slip velocity is the speed, with a sign: one of them is told.

@@ -11,11 +11,11 @@ from ..fitting.predictor import Candidate
 from ..result import Diagnosis
 from ..run_levels import differs
 from ..tracing.locating import LEAST_RINGING
-from ..tracing.named import balance_of, coordinate_of
+from ..tracing.named import OF_BOTH, coordinate_of, left_in_both
 from ..tracing.ringing import RINGING, line
 from ..tracing.slow_state import RUN
 from ..tracing.verdict import GROWING, LACKING
-from .dependence_text import OF_BOTH, as_well, depends_on, hardly_left_text, is_straight
+from .dependence_text import as_well, depends_on, hardly_left_text, is_straight
 from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence, noise_left_text
 from .level_sentences import levels_text
@@ -241,16 +241,10 @@ def or_sensor_sentence(found: Diagnosis) -> str:
 
 
 def _left_in_both(found: Diagnosis) -> str:
-    """That what an effect of the clutch leaves in the drive's balance is the sensor's; else "".
-
-    No friction and no actuator changes what the drive gives and the clutch is read to take.
-    """
-    left: dict[str, set[str]] = {balance: set() for balance in OF_BOTH}
-    for coordinate in found.search.verdict.coordinates:
-        left.get(balance_of(coordinate), set()).add(coordinate_of(coordinate))
+    """That what an effect of the clutch leaves in the drive's balance is the sensor's; else ""."""
+    left = found.search.verdict.coordinates
     for e in found.search.corrected.effects:
-        own = {coordinate_of(c) for c in e.coordinates} & left[OF_BOTH[0]] & left[OF_BOTH[1]]
-        if e.acts_on in ("friction", "actuator") and own:
+        if own := left_in_both(e.acts_on, e.coordinates, left):
             along = " and ".join(name.replace("_", " ") for name in sorted(own))
             return (
                 f"What is left goes along with {along} in what the motor gives and the clutch is "

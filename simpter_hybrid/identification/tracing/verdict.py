@@ -24,7 +24,7 @@ from .locating import (
     telling,
     without_coordinate,
 )
-from .named import coordinate_of
+from .named import coordinate_of, left_in_both
 from .rivals import OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
 from .signature import Dependence
 
@@ -151,6 +151,8 @@ def judge(shown: Evidence) -> Verdict:
     own = set(best.candidate.coordinates)
     leads = located(shown.after, alike=LEADING, least=limit.dependence)
     foreign = not (set(leads) & own or set(left) <= own.union(shown.found))
+    # What is left along its own coordinate in the drive's balance as well, it does not change.
+    foreign |= bool(left_in_both(best.candidate.acts_on, own, left))
     # What a wave leaves on the place says that it is none, however near a floor known roughly; but
     # for what is next to nothing of what it takes away.
     leaves = bool(own & {*left}) and best.share < NEARLY_ALL
