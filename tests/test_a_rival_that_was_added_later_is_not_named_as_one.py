@@ -16,7 +16,7 @@ def tried(name, shares=(), **values):
     return SimpleNamespace(candidate=candidate, fit=SimpleNamespace(values=values))
 
 
-def found(effects, rivals, error):
+def found(effects, rivals, error, left=()):
     """As much of a diagnosis; floor 1; the rivals are the first effect's."""
     kept = tuple(t for t in rivals if t.candidate.name not in effects)
     kind = "cannot be told apart" if kept else "form incomplete"
@@ -25,8 +25,11 @@ def found(effects, rivals, error):
     model = SimpleNamespace(
         values={}, effects=[tried(n).candidate for n in effects], select_error=error
     )
-    rounds = tuple(SimpleNamespace(verdict=v, trials=()) for v in (first, *later))
-    verdict = Verdict(kind, first.accepted, kept)
+    after = {"friction": [SimpleNamespace(coordinate="speed", gain=0.254)]}
+    rounds = tuple(
+        SimpleNamespace(verdict=v, trials=(), before={}, after=after) for v in (first, *later)
+    )
+    verdict = Verdict(kind, first.accepted, kept, left)
     groups = [{"name": "Coulomb", "parameters": ["clutch.1.torque.coulomb"]}]
     declared = SimpleNamespace(notes={"tolerances": groups})
     refitted = SimpleNamespace(predictor=SimpleNamespace(declared=declared))
@@ -57,3 +60,12 @@ def test_of_a_declared_number_that_would_do_it_says_how_far_off_it_is(refit, sai
     scale = tried("friction-scale", shares, **{"friction-scale.share": -0.86, "Coulomb": refit})
     told = verdict_sentence(found(["stribeck"], [scale], 1.0))
     assert f"do not exclude friction-scale ({said} times as declared) in place" in told
+
+
+def test_what_goes_along_with_a_coordinate_beside_a_rival_is_said_at_the_floor_too():
+    told = verdict_sentence(found(["sensor"], [tried("motor")], 1.0, ("friction:speed",)))
+    assert told.endswith(
+        "What is left is as large as noise, but goes along with speed (friction, actuator or "
+        "torque sensor) (25.4 % of its mean square)."
+    )
+    assert "What is left" not in verdict_sentence(found(["sensor"], [tried("motor")], 1.0))

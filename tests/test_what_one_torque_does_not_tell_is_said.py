@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.reporting.dependence_text import depends_on
+from simpter_hybrid.identification.reporting.meaning import meaning
 from simpter_hybrid.identification.reporting.sentences import or_sensor_sentence
 from simpter_hybrid.identification.rotor.candidates import rotor_candidates
 from simpter_hybrid.identification.tracing.signature import Dependence
@@ -29,6 +30,24 @@ def test_of_one_torque_what_grows_in_a_run_may_be_the_sensor(name, balances, tol
     said = or_sensor_sentence(Some(search=done))
     assert said.startswith(f"One torque alone does not tell {name} from a sensor") is told
     assert bool(said) is told
+
+
+@pytest.mark.parametrize(
+    ("name", "gain", "balances", "told"),
+    [
+        ("sensor gain", -0.012, BOTH, True), ("motor sensor gain", 0.012, BOTH, True),
+        # A bearing takes from the motor's torque, and never adds to it.
+        ("sensor gain", 0.012, BOTH, False), ("motor sensor gain", -0.012, BOTH, False),
+        ("sensor gain", -0.012, ONE, False), ("sensor lag", 0.012, BOTH, False),
+    ],
+)  # fmt: skip
+def test_of_two_torques_a_gain_may_be_a_bearing_beside_the_clutch(name, gain, balances, told):
+    named = [c for c in rotor_candidates() if c.name == name]
+    model = Some(effects=named, values={f"{name}.gain": gain})
+    done = Some(corrected=model, rounds=[Some(before=balances)], verdict=Some(coordinates=()))
+    said = or_sensor_sentence(Some(search=done))
+    assert (f"(by 1.2 % of it) would look the same as {name}" in said) is told
+    assert ("not of the machine" in meaning(named[0])) is (name == "sensor lag")
 
 
 def test_what_leads_in_both_balances_is_of_the_sensor_too():

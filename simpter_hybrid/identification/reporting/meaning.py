@@ -10,6 +10,9 @@ from ..rigs.effect_candidate import EffectCandidate
 
 #: Errors of sensors that no record of angles and forces at a tip tells from the machine's geometry.
 TURNED_PARTS = ("angle-offset",)
+#: Gains of a rotor's sensors that a bearing beside the clutch looks like, if it rubs in proportion
+#: to the clutch's torque; with the sign they have: the motor gives what the other sensor misses.
+LIKE_A_BEARING = {"sensor gain": -1, "motor sensor gain": 1}
 #: Of a form that leaves more than noise, and of one that may; its intervals say so as well.
 INCOMPLETE = " is incomplete"
 OR_NOISE = f"{INCOMPLETE}, or what is left is noise"
@@ -22,6 +25,8 @@ def meaning(one: Candidate) -> str:
             " (an error of the sensor; a part that stands turned by as much, a handle beside its "
             "link's line say, looks the same)"
         )
+    if one.name in LIKE_A_BEARING:
+        return " (an error of the sensor)"
     if one.acts_on == "sensor":
         return " (an error of the sensor, not of the machine)"
     parts = one.effects() if isinstance(one, EffectCandidate) else ()

@@ -19,7 +19,7 @@ from .dependence_text import as_well, depends_on, hardly_left_text, is_straight
 from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence, noise_left_text
 from .level_sentences import levels_text
-from .meaning import INCOMPLETE, OR_NOISE, meaning
+from .meaning import INCOMPLETE, LIKE_A_BEARING, OR_NOISE, meaning
 from .other_ways import other_way
 
 #: Family of what changes all that drives an axis by one factor.
@@ -74,7 +74,9 @@ def _named(found: Diagnosis) -> str:
     if verdict.kind == "cannot be told apart" and doubted:
         left = f", which depends on {on}" if verdict.coordinates else ""
         more = f": more is left{left} (on those that select {ratio:.2f})."
-        more = f"{more}{noise}" if ratio > found.limits.form else "."
+        others = [c for c in verdict.coordinates if c not in verdict.as_well]
+        little = hardly_left_text(found, on, held_out(found)) if others else ""
+        more = f"{more}{noise}" if ratio > found.limits.form else f".{little}"
         return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}{far}"
     if ratio <= found.limits.form and held_out(found) > most_carried_over(found):
         left = f" What is left depends on {on}." if verdict.coordinates else ""
@@ -227,7 +229,7 @@ def or_sensor_sentence(found: Diagnosis) -> str:
         if e.acts_on == "friction" and e.coordinates
         and {coordinate_of(c) for c in e.coordinates} <= {*GROWING}
     ]  # fmt: skip
-    if told := _left_in_both(found):
+    if told := _left_in_both(found) or _or_bearing(found):
         return told
     if not grown:
         return ""
@@ -250,6 +252,22 @@ def _left_in_both(found: Diagnosis) -> str:
                 f"What is left goes along with {along} in what the motor gives and the clutch is "
                 f"read to take as well, which {e.name} does not change: does {along} reach the "
                 f"torque's sensor? Then it, and not {e.name}, may be all there is."
+            )
+    return ""
+
+
+def _or_bearing(found: Diagnosis) -> str:
+    """That a bearing beside the clutch looks like a gain of its sensor or the motor's; else ""."""
+    model = found.search.corrected
+    # Without the motor's torque no record shows what a bearing takes from it.
+    if not all(found.search.rounds[0].before.get(balance) for balance in OF_BOTH):
+        return ""
+    for name in (e.name for e in model.effects if e.name in LIKE_A_BEARING):
+        if (size := LIKE_A_BEARING[name] * model.values[f"{name}.gain"]) > 0.0:
+            return (
+                f"A bearing beside the clutch that rubs in proportion to the clutch's torque (by "
+                f"{100 * size:.2g} % of it) would look the same as {name}: no run of this rig "
+                "tells these apart, a known torque on the sensor does."
             )
     return ""
 
