@@ -3,8 +3,13 @@
 import numpy as np
 import pytest
 
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.axis.starts import start_states
 from simpter_hybrid.identification.axis.windows import smooth_places
+from simpter_hybrid.identification.maps import MAPS
+from simpter_hybrid.identification.recordings.map_file import read_map
+from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 
 #: Rows of 20 ms, and the rounding of an encoder of 0.084 mm.
 STEP, ENCODER = 0.02, 8.4e-5
@@ -50,3 +55,15 @@ def test_the_first_start_of_all_but_a_whole_record_goes_on_from_a_jump():
     assert smooth_places(seen, [3, 28, 53], 8, bent)[0] == 8
     assert smooth_places(seen, [5, 30, 55], 2, bent)[0] == 5
     assert smooth_places(seen, [0, 25, 50], 8, bent)[0] == 0
+
+
+def test_rows_before_it_are_not_compared():
+    # Commands of before the record may act for 50 ms; the next row is a jump.
+    drive = (-1.0) ** np.searchsorted(JUMPS, np.arange(100), "right")
+    channels = {"position": course()[2], "drive": drive}
+    run = RecordedRun("run 1", "a", "", (0, 100), STEP * np.arange(100), channels)
+    recording = Recording("data.csv", read_map(MAPS / "emps.toml"), (run,))
+    (replay,) = axis_replays(recording, AxisSignals())
+    begins = replay.restarts[0].index
+    assert begins > 3
+    assert np.flatnonzero(replay.observed["position"].keep)[0] == begins

@@ -129,7 +129,8 @@ def bends_of(run: RecordedRun, s: AxisSignals, channels: Mapping[str, ChannelMap
     else:
         speed = rate_of_change(run.time, run.channels[s.position], speed_width(step))
     found = [turns(speed, 4 * half_width(step))]
-    found += [jumps(run.channels[d], channels[d].held) for d in s.drive if d in run.channels]
+    drives = (d for d in s.drive if d in run.channels)
+    found += [jumps(run.channels[d], channels[d].held, d in s.told) for d in drives]
     return np.unique(np.concatenate(found))
 
 
@@ -151,10 +152,13 @@ def turns(speed: np.ndarray, near: int) -> np.ndarray:
     return np.array(found, int)
 
 
-def jumps(drive: np.ndarray, held: str) -> np.ndarray:
-    """Rows at which a force jumps: by a part of its range, and by more than noise does."""
+def jumps(drive: np.ndarray, held: str, told: bool = False) -> np.ndarray:
+    """Rows at which a force jumps: by a part of its range, and by more than noise does.
+
+    What was `told` has no noise: what it does every few rows would be taken for that.
+    """
     rises = np.abs(np.diff(drive))
-    least = max(JUMP * float(np.ptp(drive)), NOISY * noise_estimate(drive))
+    least = max(JUMP * float(np.ptp(drive)), 0.0 if told else NOISY * noise_estimate(drive))
     after = np.flatnonzero(rises > least) + 1
     if held == "after":
         return after
