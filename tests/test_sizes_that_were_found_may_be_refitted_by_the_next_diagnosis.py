@@ -14,7 +14,8 @@ from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.rigs.corrected import FOUND, with_tolerances
-from simpter_hybrid.identification.rigs.scenario_predictor import REACH, ScenarioPredictor
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.rigs.tolerated import REACH
 from simpter_hybrid.identification.tip.candidates import tip_candidates
 
 LIBRARY = {c.name: c for c in axis_candidates(AxisSizes(1.0, 1.0, 1.0, 4.0, 0.1, True))}

@@ -98,12 +98,13 @@ def diagnose(
     early, prefix = _asked_first(begun, bench, recording, declared, remark)
     result = sought(WeightedSearch(bench, tried, begun.parts, begun.values, say), recording)
     found, levels = result.found, result.levels
+    bench, nominal = _as_searched(bench, begun.nominal, found)
     steps = predictor.effort.spent
     say(f"the search took {steps / 1e6:.0f} million steps of simulated runs")
     cut_short, interrupted = (max(steps, 1.0) if predictor.effort.used_up else 0.0), ended()
     # What is told of what was found is simulated whole.
     predictor.effort.most, predictor.effort.ended = inf, never
-    done, term, errors, back = _held_out(result, begun.nominal)
+    done, term, errors, back = _held_out(result)
     off, ruling = prefix, None
     if not cut_short:
         say("asking whether a declared number is far off, or a fitted run unlike the others")
@@ -117,7 +118,7 @@ def diagnose(
         not_cleared(done, bench.remarks), found.split, used, errors.of_channels, errors.of_all,
         errors.of_experiments,
         candidates=tried, experiments=bench.experiments, empirical=term, tracer=found.tracer,
-        limits=found.limit, doubts=_doubts(bench, recording, begun.nominal, found, done, early),
+        limits=found.limit, doubts=_doubts(bench, recording, nominal, found, done, early),
         far_off=off, ruling_run=ruling, remarks=bench.remarks, levels=levels, fitted=found.fitted,
         floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
         cut_short=cut_short, interrupted=interrupted, taken_back=back, harmful=result.harmful,
@@ -166,12 +167,24 @@ def _asked_first(
     return early, prefix
 
 
+def _as_searched(
+    bench: Bench, nominal: dict[str, float], found: WeightedSearchResult
+) -> tuple[Bench, dict[str, float]]:
+    """The bench, and declared values, with the zero that runs were found to have of their own."""
+    predictor: Any = found.search.refitted.predictor
+    zero = next((e for e in (bench.zero,) if e in predictor.effects), None)
+    if zero is None:
+        return bench, nominal
+    own = {p.name: p.value for p in zero.parameters}
+    return replace(bench, predictor=bench.predictor.extended(zero)), nominal | own
+
+
 def _held_out(
-    result: Sought, nominal: Mapping[str, float]
+    result: Sought,
 ) -> tuple[SearchResult, Empirical | None, StageErrors, TakenBack | None]:
     """What is left of a search by the runs held out, their errors, and what they contradict."""
     found, term = result.found, result.term
-    errors = errors_of_stages(result.done, nominal, term, found)
+    errors = errors_of_stages(result.done, term, found)
     done, back = contradicted(result.done, errors.alike, found.floors, found.limit, result.levels)
     if back is not None:
         term, errors = None, errors.without_after()

@@ -53,8 +53,9 @@ def at_medians(model: Model, own: Own) -> dict[str, float]:
     """Values of a model, those that differ between runs at the median of their own ones."""
     known = {p.name: p for p in model.predictor.parameters}
     values = dict(model.values)
-    for p, usual in ((known[levels.parameter], levels.usual) for levels in own):
-        values[p.name] = float(np.clip(usual * p.value, p.lower, p.upper))
+    asked = ((known[levels.parameter], levels) for levels in own)
+    for p, usual in ((p, levels.median(p)) for p, levels in asked):
+        values[p.name] = float(np.clip(usual, p.lower, p.upper))
     return values
 
 
@@ -68,10 +69,10 @@ def fitted_anew(model: Model, own: Own, found: WeightedSearchResult) -> Own:
 
 
 def times_of(own: Own) -> list[dict[str, float]]:
-    """For each run a mapping from the parameters to their own values in it."""
-    runs = zip(*(levels.levels for levels in own), strict=True)
+    """For each run a mapping from the parameters to what it has of them of its own."""
     names = [levels.parameter for levels in own]
-    return [dict(zip(names, (times for _, times in run), strict=True)) for run in runs]
+    runs = zip(*(levels.own() for levels in own), strict=True)
+    return [dict(zip(names, run, strict=True)) for run in runs]
 
 
 def runs_of(found: WeightedSearchResult, own: Own = ()) -> list[Replay]:

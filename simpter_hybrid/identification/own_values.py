@@ -11,11 +11,13 @@ from .fitting.predictor import Parameter
 from .fitting.repeats import left_of, window_starts_of
 from .fitting.replay import Replay
 from .fitting.residual import CLIP, rms
-from .run_levels import RunLevels, likeliest, reach
+from .run_levels import RunLevels, at_bound, likeliest, reach
 from .tracing.rivals import LEAST_GAIN
 
 #: Steps of each run's fit; a step of differences in typical sizes of the parameter.
 STEPS, WIDE = 3, 2.0
+#: So many changes that matter are as a tolerance where there is none.
+UNTOLD = 4.0
 
 
 def run_levels(
@@ -41,8 +43,8 @@ def run_levels(
     near : RunLevels, optional
         Values of the one parameter asked about, from which those of each run are begun.
     """
-    held = [p for p in model.predictor.parameters if np.isfinite(p.tolerance)]
-    held = [p for p in held if not names or p.name in names]
+    every = model.predictor.parameters
+    held = [p for p in every if (p.name in names if names else np.isfinite(p.tolerance))]
     if len(replays) < 2 or not held:
         return None
     return likeliest([_own_values(model, p, replays, floor, near) for p in held])
@@ -55,7 +57,7 @@ def _own_values(
     floor: float,
     near: RunLevels | None = None,
 ) -> RunLevels:
-    levels, before, after = [], [], []
+    levels, before, after, ended = [], [], [], []
     begun = {} if near is None else near.values(parameter)
     for replay in replays:
         common = _left(model, {}, replay)
@@ -71,14 +73,20 @@ def _own_values(
             before.append(common[tested])
             after.append(_left(model, {parameter.name: value}, replay)[tested])
         levels.append(float(np.mean(own)))
+        if any(at_bound(value, parameter) for value in own):
+            ended.append(replay.name)
     names, usual = [r.name for r in replays], float(np.median(levels))
-    told = tuple((name, level / usual) for name, level in zip(names, levels, strict=True))
+    step = parameter.typical if parameter.signed else 0.0
+    told = [(x - usual) / step if step else x / usual for x in levels]
+    above = 1.0 + (usual - parameter.value) / step if step else usual / parameter.value
+    apart = parameter.tolerance if np.isfinite(parameter.tolerance) else UNTOLD * parameter.typical
     first, last = (_error(np.concatenate(parts)) for parts in (before, after))
     # Of what is no more than the floor next to nothing would be all.
     part = share(first, last, floor) if last < (1.0 - LEAST_GAIN) * first else 0.0
     return RunLevels(
-        parameter.name, told, first, last, part, _beside(replays), usual / parameter.value,
-        apart=(max(levels) - min(levels)) / parameter.tolerance, speeds=_speeds(replays),
+        parameter.name, tuple(zip(names, told, strict=True)), first, last, part, _beside(replays),
+        above, (max(levels) - min(levels)) / apart, _speeds(replays), step, parameter.unit,
+        tuple(ended),
     )  # fmt: skip
 
 

@@ -16,12 +16,13 @@ from typing import NamedTuple
 import numpy as np
 from scipy.stats import kendalltau
 
-from .fitting.predictor import Parameter
+from .fitting.predictor import AT_LIMIT, Parameter
 from .recordings.logged import ASKED_OF
 from .tracing.rivals import RIVAL
 from .tracing.verdict import LEAST_SHARE_IF_MUCH
 
-#: A run's own value is within this factor of the declared one, or within its tolerance.
+#: A run's own value is within this factor of the declared one, or as far off as a refit may go; one
+#: of either sign so many times as far.
 OTHER = 3.0
 #: Values go together if the probability of that by chance is below this (Kendall's rank
 #: correlation).
@@ -49,8 +50,9 @@ class RunLevels:
     ----------
     parameter : str
     levels : tuple of (str, float)
-        Each run and its value over their median, which one odd run does not move; the runs as they
-        were recorded (`in_order`), or while effects are looked for those that are fitted first.
+        Each run and its value over their median, which one odd run does not move, or of a `step`
+        how many of these it is above that; the runs as they were recorded (`in_order`), or while
+        effects are looked for those that are fitted first.
     before, after : float
         Root mean square on what was not fitted, with the common value and with the own ones, in
         standard deviations.
@@ -59,11 +61,17 @@ class RunLevels:
     logged : mapping of str to mapping of str to float
         Constants, and means of channels that the rig does not read, by channel and run.
     usual : float
-        Their median, over what is declared.
+        Their median, over what is declared; of a `step` 1 and how many it is above that.
     apart : float
         How far the values are apart, in tolerances of the parameter.
     speeds : mapping of str to float
         Root mean square of each run's speed, if that is known.
+    step : float
+        What is added for each unit of a level, in the parameter's own; 0 of factors.
+    unit : str
+        The parameter's.
+    ended : tuple of str
+        Runs whose values ended at a bound of what is tried.
     """
 
     parameter: str
@@ -75,11 +83,25 @@ class RunLevels:
     usual: float = 1.0
     apart: float = 0.0
     speeds: Mapping[str, float] = field(default_factory=dict)
+    step: float = 0.0
+    unit: str = ""
+    ended: tuple[str, ...] = ()
+
+    def median(self, parameter: Parameter) -> float:
+        """Their median, in the unit of the `parameter`."""
+        if self.step:
+            return parameter.value + (self.usual - 1.0) * self.step
+        return self.usual * parameter.value
 
     def values(self, parameter: Parameter) -> dict[str, float]:
         """The value of each run, in the unit of the `parameter`, within what one may reach."""
-        usual, (least, most) = self.usual * parameter.value, reach(parameter)
-        return {run: float(np.clip(times * usual, least, most)) for run, times in self.levels}
+        usual, (least, most) = self.median(parameter), reach(parameter)
+        values = {run: usual + x * self.step if self.step else x * usual for run, x in self.levels}
+        return {run: float(np.clip(value, least, most)) for run, value in values.items()}
+
+    def own(self) -> list[float]:
+        """What each run has of its own (`Replay.own`), in their order."""
+        return [level * (self.step or 1.0) for _, level in self.levels]
 
     def in_order(self, runs: Sequence[str]) -> RunLevels:
         """These levels in the order of `runs`, the pieces of each (", part 2") together."""
@@ -178,6 +200,14 @@ def together(found: Sequence[RunLevels]) -> bool:
 
 def reach(p: Parameter) -> tuple[float, float]:
     """Least and largest own value of a run; a tolerance does not bound it, as for another load."""
+    if p.signed:
+        room = OTHER * max(p.upper - p.value, p.value - p.lower, abs(p.value))
+        return p.value - room, p.value + room
     if p.lower <= 0.0:
         return p.lower, p.upper
     return min(p.lower, p.value / OTHER), max(p.upper, p.value * OTHER)
+
+
+def at_bound(value: float, p: Parameter) -> bool:
+    """Whether a run's own value ended at a bound of what is tried, and so tells nothing."""
+    return min(abs(value - end) for end in reach(p)) <= AT_LIMIT * abs(value)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Model, Trial, with_effect
 from .own_refits import Own, fitted_anew, refined, runs_of, times_of, with_own, with_room
 from .own_values import run_levels
+from .rigs.effect_candidate import EffectCandidate
 from .run_levels import AS_WELL, RunLevels, differs, likeliest
 from .runwise_told import told_alone
 from .tracing.slow_state import RUN
@@ -50,7 +52,11 @@ def runwise(
     if search.bench.runs_alone:
         return told_alone(found, names)
     models = [*_models(found), *_without_effects(found), *_typical(search, found)]
-    asked = [(model, run_levels(model, runs, found.noise, names)) for model in models]
+    asked = [(model, run_levels(model, runs, found.noise, names)) for model in models if names]
+    if (zero := search.bench.zero) is not None:
+        search.say(f"asking whether the {zero.name} does as well")
+        moved = [_with_zero(model, zero) for model in models]
+        asked += [(model, run_levels(model, runs, found.noise, (zero.name,))) for model in moved]
     told = [(model, levels) for model, levels in asked if levels is not None]
     if not told:
         return found, ()
@@ -118,6 +124,13 @@ def _asked(model: Model, common: Sequence[str]) -> list[str]:
     """Declared parameters of which it is asked whether they differ."""
     held = (p.name for p in model.predictor.parameters if np.isfinite(p.tolerance))
     return [name for name in held if name not in common]
+
+
+def _with_zero(model: Model, zero: EffectCandidate) -> Model:
+    """The model with a zero that runs may have of their own."""
+    predictor: Any = model.predictor
+    values = {**model.values, **{p.name: p.value for p in zero.parameters}}
+    return replace(model, predictor=predictor.extended(zero), values=values)
 
 
 def _with_second(
@@ -195,6 +208,10 @@ def _searched(
     parts["fit"] = with_own(parts["fit"], values[:count])
     parts["select"] = with_own(parts["select"], values[count:])
     declared = {name: begun.values[name] for name in found.search.refitted.values}
-    bench = replace(search.bench, predictor=with_room(search.bench.predictor, own))
+    predictor, zero = search.bench.predictor, search.bench.zero
+    if zero is not None and any(levels.parameter == zero.name for levels in own):
+        predictor = predictor.extended(zero)
+        declared[zero.name] = begun.values[zero.name]
+    bench = replace(search.bench, predictor=with_room(predictor, own))
     again = replace(search, bench=bench, parts=parts, start=declared).settled(declared)
     return again, fitted_anew(again.search.corrected, own, again)

@@ -49,7 +49,6 @@ class StageErrors:
 
 def errors_of_stages(
     done: SearchResult,
-    nominal: Mapping[str, float],
     term: Empirical | None,
     found: WeightedSearchResult,
 ) -> StageErrors:
@@ -59,14 +58,13 @@ def errors_of_stages(
     ----------
     done : SearchResult
         With the refitted and the corrected model.
-    nominal : mapping of str to float
-        Declared values.
     term : Empirical or None
         A curve over what is left.
     found : WeightedSearchResult
         Whose runs and floors they are.
     """
-    models = {
+    nominal = {p.name: p.value for p in done.refitted.predictor.parameters}
+    models: dict[str, tuple[Any, Mapping[str, float]]] = {
         "declared": (done.refitted.predictor, nominal),
         "refitted": (done.refitted.predictor, done.refitted.values),
         "after": (done.corrected.predictor, done.corrected.values),

@@ -21,6 +21,7 @@ from ..rigs.moving import check_moving
 from ..rigs.pose import inertia_of
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
+from ..rigs.zeros import zero_of_position
 from .candidates import axis_candidates, with_friction_scale
 from .drive import acting_late, current_candidates, drive_candidates, rippling
 from .drive_force import motors_of
@@ -103,6 +104,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         experiments=_planned(recording, predictor, parts, allowed, signals, length),
         by_run=not shared(groups) and several(searched),
         common=_weighed_once(declared) if driven.alone else (),
+        zero=zero_of_position(declared, sizes.travel, turning) if placed else None,
     )  # fmt: skip
 
 

@@ -34,6 +34,9 @@ class Parameter:
         Standard deviation to which `value` is declared [SI]; inf: nothing is known beforehand.
     unit : str
         SI unit, for reports.
+    signed : bool
+        Whether its zero has no meaning (a place of rest): values of runs differ from one another by
+        amounts of either sign, not by factors.
     """
 
     name: str
@@ -43,6 +46,7 @@ class Parameter:
     typical: float
     tolerance: float = np.inf
     unit: str = ""
+    signed: bool = False
 
     def at_limit(self, value: float) -> bool:
         """Whether a fitted value ended at a bound, which is then no estimate."""

@@ -106,7 +106,8 @@ class Replay:
         Whether all that drives it was told: one replay then serves all runs with these inputs.  No
         two runs have a measured drive or motion in common (`repeats` tells what they differ by).
     own : mapping of str to float
-        Factors on parameters of a fit that hold in this run alone (`own_values`).
+        Factors on parameters of a fit that hold in this run alone, or of a `signed` one what it is
+        more there (`own_values`).
     notes : mapping of str to ndarray
         What a rig keeps beside: the measured course, the states of its windows' starts.
     logged : mapping of str to ndarray (samples,)

@@ -7,7 +7,7 @@ from typing import Any
 from ..going_with import goes_with, split_by
 from ..result import Diagnosis
 from ..run_levels import as_declared, differs
-from .level_sentences import levels_text
+from .level_sentences import counted, levels_text
 
 #: Values of each run that take away a smaller part of what is left are no finding.
 NEXT_TO_NOTHING = 0.05
@@ -26,7 +26,11 @@ def level_data(found: Diagnosis) -> dict[str, Any] | None:
         "parameters": [
             {
                 "parameter": levels.parameter,
-                "runs": [{"run": run, "over_median": level} for run, level in levels.levels],
+                "counted": counted(levels), "at_bound": list(levels.ended),
+                "runs": [
+                    {"run": run, "above_median" if levels.step else "over_median": level}
+                    for (run, _), level in zip(levels.levels, levels.own(), strict=True)
+                ],
                 "before": levels.before, "after": levels.after, "share": levels.share,
                 "goes_with": goes_with(levels), "split_by": split_by(levels),
             }

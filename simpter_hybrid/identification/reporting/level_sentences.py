@@ -31,7 +31,7 @@ def levels_text(found: Sequence[RunLevels], floor: float) -> str:
     last = found[-1]
     if len(found) == 1 and same_in_all(last):
         return (
-            f"{last.parameter} of {last.usual:.3g} times what is declared, in every run alike, "
+            f"{last.parameter} of {_usual(last)}, in every run alike, "
             f"takes away {100 * max(last.share, 0.0):.0f} % of what is left in windows that were "
             "not fitted: it may be known less well than its tolerance says"
         )
@@ -45,7 +45,7 @@ def levels_text(found: Sequence[RunLevels], floor: float) -> str:
         fall = f"from {last.before / floor:.2f} to {last.after / floor:.2f} times the floor"
         return (
             f"{last.parameter} differs from run to run ({_size(last)}): with a value of its own in "
-            f"each the error of windows that were not fitted falls {fall}"
+            f"each the error of windows that were not fitted falls {fall}{_asks(last)}"
         )
     alike = (
         "; they rise and fall together, as they do where the gain of the drive, its supply or the "
@@ -58,16 +58,59 @@ def levels_text(found: Sequence[RunLevels], floor: float) -> str:
     )
 
 
+def _asks(levels: RunLevels) -> str:
+    """What may have given each run a zero of its own; "" of what is no zero."""
+    return ", as where the sensor was zeroed anew before each run" if levels.step else ""
+
+
 def _size(levels: RunLevels) -> str:
     times = [level for _, level in levels.levels]
     if odd := odd_run(levels):
         rest = [level for run, level in levels.levels if run != odd]
         return (
-            f"{dict(levels.levels)[odd]:.4g} of its median in {odd}, {min(rest):.4g} to "
-            f"{max(rest):.4g} in all others: is that run of the same rig?"
-            f"{_course(levels)}"
+            f"{_about(levels, dict(levels.levels)[odd])} in {odd}, {_value(levels, min(rest))} to "
+            f"{_value(levels, max(rest))} in all others: is that run of the same rig?"
+            f"{_course(levels)}{_ended(levels)}"
         )
-    return f"{min(times):.4g} to {max(times):.4g} of its median{_course(levels)}"
+    spread = f"{_value(levels, min(times))} to {_about(levels, max(times))}"
+    return f"{spread}{_course(levels)}{_ended(levels)}"
+
+
+def _value(levels: RunLevels, level: float) -> str:
+    return f"{level * levels.step:+.3g}" if levels.step else f"{level:.4g}"
+
+
+def _about(levels: RunLevels, level: float) -> str:
+    """The value of a run, and what it is counted from and in."""
+    if not levels.step:
+        return f"{_value(levels, level)} of its median"
+    return f"{_value(levels, level)} {_unit(levels)} from its median"
+
+
+def counted(levels: RunLevels) -> str:
+    """What the value of a run is counted from, as the head of its column says it."""
+    over = "over the median of the runs"
+    return f"{_unit(levels)} above the median of the runs" if levels.step else over
+
+
+def _unit(levels: RunLevels) -> str:
+    return "times what is declared" if levels.unit == "1" else levels.unit
+
+
+def _usual(levels: RunLevels) -> str:
+    """The median of values that are the same in all runs."""
+    if not levels.step or levels.unit == "1":
+        median = 1.0 + (levels.usual - 1.0) * levels.step if levels.step else levels.usual
+        return f"{median:.3g} times what is declared"
+    return f"{(levels.usual - 1.0) * levels.step:+.3g} {levels.unit} beside what is declared"
+
+
+def _ended(levels: RunLevels) -> str:
+    """Words on runs whose values ended at a bound; "" without any."""
+    if not levels.ended:
+        return ""
+    end = "ends" if len(levels.ended) == 1 else "end"
+    return f"; {' and '.join(levels.ended)} {end} at the bound of what is tried"
 
 
 def _course(levels: RunLevels) -> str:
@@ -82,8 +125,8 @@ def _course(levels: RunLevels) -> str:
     elif (step := step_of(levels)) is not None:
         within = f", in {step.between}," if step.between else ""
         said = [
-            f"changes once{within} from {step.before:.4g} up to {step.until} to {step.after:.4g} "
-            f"from {step.onwards} on: what happened there"
+            f"changes once{within} from {_value(levels, step.before)} up to {step.until} to "
+            f"{_value(levels, step.after)} from {step.onwards} on: what happened there"
         ]
     if not said:
         for name, tau in may_go_with(levels).items():

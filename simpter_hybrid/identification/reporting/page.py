@@ -175,9 +175,9 @@ def _own_values(told: Mapping[str, Any] | None) -> str:
     # Where they do not explain it all.
     said = _paragraph(told["sentence"]) if told["sentence"] else ""
     apart = told["parameters"]
-    head = ("run", *(f"{p['parameter']}, over the median of the runs" for p in apart))
+    head = ("run", *(f"{p['parameter']}, {p['counted']}" for p in apart))
     rows = (
-        (of[0]["run"], *(f"{row['over_median']:.4g}" for row in of))
+        (of[0]["run"], *(f"{row.get('over_median', row.get('above_median')):.4g}" for row in of))
         for of in zip(*(p["runs"] for p in apart), strict=True)
     )
     note = "<p>Reported runs, and the corrected model, have the common value.</p>"

@@ -53,6 +53,8 @@ class Bench:
         Whether that is asked only of what no effect explains, without a search beside it.
     common : tuple of str
         Declared parameters of which that is not asked.
+    zero : EffectCandidate, optional
+        A number of no tolerance of which it is asked as well.
     """
 
     parts: Mapping[str, list[Replay]]
@@ -69,3 +71,4 @@ class Bench:
     by_run: bool = False
     runs_alone: bool = False
     common: tuple[str, ...] = ()
+    zero: EffectCandidate | None = None

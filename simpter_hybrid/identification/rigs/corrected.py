@@ -12,7 +12,7 @@ from ...scenario import Scenario
 from ..fitting.fitted_model import Model
 from .effect_candidate import EffectCandidate
 from .motor_ties import dead_at_limits, tied_numbers
-from .scenario_predictor import REACH
+from .tolerated import REACH
 
 #: How well a size that was found is known, for a diagnosis of the corrected model, and the least
 #: tolerance that is worth one.

@@ -28,13 +28,10 @@ from .rig import Rig
 from .scenario_runner import GivenRun, ScenarioRunner, in_threads
 from .sensor_errors import with_errors
 from .simulated_runs import SimulatedRun, simulated_runs
+from .tolerated import tolerated
 
-#: A declared value is refitted by so many of its tolerances at most.
-REACH = 3.5
 #: What was declared is taken to be so to within so many tolerances.
 WITHIN = 2.0
-#: Size of a change of a declared value that matters, in tolerances.
-TYPICAL = 0.25
 
 
 def _is_last(candidate: EffectCandidate) -> bool:
@@ -75,13 +72,7 @@ class ScenarioPredictor:
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
         """Factors on declared groups of parameters, then the effects' own."""
-        found = [
-            Parameter(
-                t["name"], 1.0, max(0.05, 1 - REACH * t["relative"]), 1 + REACH * t["relative"],
-                TYPICAL * t["relative"], t["relative"], "1",
-            )
-            for t in self.declared.notes.get("tolerances", ())
-        ]  # fmt: skip
+        found = [tolerated(group) for group in self.declared.notes.get("tolerances", ())]
         wider = {p.name: p for p in self.wider}
         found = [wider.get(p.name, p) for p in found]
         own = {p.name: p for e in self.effects for p in e.parameters}
@@ -257,7 +248,8 @@ class ScenarioPredictor:
 
         `common`: the vector of these values, where it is known.
         """
-        own = {name: times * values[name] for name, times in run.own.items()}
+        signed = {p.name for p in self.parameters if p.signed} if run.own else ()
+        own = {n: values[n] + x if n in signed else values[n] * x for n, x in run.own.items()}
         p, switching = self.vector({**values, **own}) if own or common is None else common
         names, effects = self.runner.names, self.runner.scenario.effects
         p = self._with_more(following(p, names, effects, run), {**values, **own}, run.added)
