@@ -66,8 +66,9 @@ def trials_of(left):
 @pytest.mark.parametrize(
     ("scale", "first", "rivals"),
     [
-        # Of ramps that end before breakaway neither is told from the other.
-        (0.4999, "breakaway-scale", ["dwell-breakaway"]),
+        # Of ramps that end before breakaway neither is told from the other: the effect comes first.
+        (0.4999, "dwell-breakaway", ["breakaway-scale"]),
+        (0.495, "breakaway-scale", ["dwell-breakaway"]),
         (0.5001, "dwell-breakaway", ["breakaway-scale"]),
         (0.505, "dwell-breakaway", []),
     ],
@@ -88,4 +89,5 @@ def test_another_torque_with_the_slip_torque_refitted_back_is_no_rival_of_anothe
         assert told == {"dwell-breakaway", "breakaway-scale"} - {best.candidate.name}
     # Nor is it named where it ends before them by next to nothing.
     trials[2] = trials_of({"torque-scale": 0.4999})[0]
-    assert best_form(trials).candidate.name == "breakaway-scale"
+    assert best_form(trials).candidate.name == "dwell-breakaway"
+    assert best_form(trials[1:]).candidate.name == "breakaway-scale"

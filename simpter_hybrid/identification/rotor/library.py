@@ -26,6 +26,8 @@ from .winding import Winding
 
 #: A breakaway torque that is another multiple of the declared one.
 BREAKAWAY_SCALE = "breakaway-scale"
+#: What no record may tell it from.
+GROWS_WITH_REST = "dwell-breakaway"
 #: The declared number that lags.
 TIME_CONSTANT_OF = "clutch.1.time_constant"
 LEVELS = "Torque ramps to breakaway at some levels of the command."
@@ -61,11 +63,11 @@ def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
     where = "breakaway:rest", "breakaway:level"
     bounds = min(least, 0.0), 2.0, 0.02
     # Of ramps that end before it, or rests that are all alike, no record tells it from what grows
-    # with rest: a rival of that, since a declared number that is off is no effect.
+    # with rest: a rival of that, which is named first, since what is declared is known.
     one = off_by_a_share(
         BREAKAWAY_SCALE, numbers, bounds, 0.2, BREAKAWAY_SCALE, "breakaway", where, LEVELS
     )
-    return (replace(one, echoes=ECHOES),)
+    return (replace(one, echoes=ECHOES, yields_to=GROWS_WITH_REST),)
 
 
 def _declared_lag(declared: Scenario) -> str | None:

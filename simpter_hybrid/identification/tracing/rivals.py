@@ -78,11 +78,13 @@ def _before_declared(best: Trial, trials: Sequence[Trial]) -> Trial:
     if not best.candidate.declared:
         return best
     within = best.candidate.contains
-    families = {t.candidate.family for t in trials if t.candidate.name in within}
+    held = [t.candidate for t in trials if t.candidate.name in within]
+    families = {c.family for c in (*held, best.candidate)}
+    before = {c.yields_to for c in (*held, best.candidate)}
     alike = [
         t for t in trials
         if t.select_error <= (1 + TIE) * best.select_error
-        and t.candidate.family in families | {best.candidate.family}
+        and (t.candidate.family in families or t.candidate.name in before)
         and len(t.candidate.parameters) <= len(best.candidate.parameters)
         and (not t.candidate.declared or t.candidate.name in within)
     ]  # fmt: skip
