@@ -1,5 +1,6 @@
 """A hand that braked in one fitted run: its name, and when, though the selecting runs are right."""
 
+from dataclasses import replace
 from types import SimpleNamespace as Some
 
 import numpy as np
@@ -43,3 +44,34 @@ def test_it_is_named_with_when_it_was():
 )  # fmt: skip
 def test_not_where_none_or_two_are_or_of_two_or_where_other_runs_show_it_too(other):
     assert one_fitted_run_sentence(other) == ""
+
+
+SLIP = 8.0 * (np.arange(SAMPLES) // 100 == 3)
+
+
+@pytest.mark.parametrize(("kinds", "hand"), [("11", False), ("12", True)])
+def test_where_the_model_alone_slips_in_it_and_not_in_a_run_like_it_no_hand_is_meant(kinds, hand):
+    said = one_fitted_run_sentence(of_kinds(kinds, rests=True, slips=("run 1",)))
+    assert "run 1 (2.7" in said
+    assert ("Did something else act" in said) is hand
+    assert ("as run 2 does, a run of the same kind" in said) is not hand
+
+
+def test_a_hand_that_moved_it_is_meant_where_the_run_like_it_rests():
+    assert "Did something else act" in one_fitted_run_sentence(of_kinds("11", False, ()))
+
+
+def of_kinds(kinds, rests, slips):
+    """Runs 1 and 2 of these kinds; whether run 1 rests, in which runs the model slips."""
+    one = found(1)
+    for k, kind in zip((1, 2), kinds, strict=True):
+        one.fitted[k] = replace(one.fitted[k], experiment=kind)
+    if rests:
+        seen = Observation(one.fitted[2].observed["speed"].values, 1.0, np.ones(SAMPLES, bool))
+        one.fitted[1] = replace(one.fitted[1], observed={"speed": seen})
+
+    def predict(values, replays):
+        return {"speed": [SLIP if r.name in slips else np.zeros(SAMPLES) for r in replays]}
+
+    one.search.corrected.predictor = Some(predict=predict)
+    return one

@@ -25,6 +25,10 @@ HOLDS, FAR = 0.9, 3.0
 FEWEST, ALONE = 3, 1.5
 #: Each of the others is within so many times what is noise: a run scatters by itself.
 SCATTER = 1.1
+#: By this channel a run slips or rests: it slips from so many deviations of the noise on.
+SPEED, SLIPS = "speed", 6.0
+#: Two of them do otherwise if they do so for this part of a stretch.
+OTHERWISE = 0.1
 #: Where in the run: between these parts of what it has above the floor.
 MOST_OF_IT = 0.1, 0.9
 
@@ -110,12 +114,46 @@ def one_fitted_run_sentence(found: Diagnosis) -> str:
         return ""
     begin, end = _stretch(worst, floors.fit)
     rest = rms(np.concatenate([run.residuals for run in others]))
+    why = _slips_in_one(found, worst, others, (begin, end)) or (
+        "Did something else act in it (a hand, a stop)? If not, let a run like it select."
+    )
     return (
         f"Of the fitted runs one alone leaves more than noise: {worst.replay.name} "
         f"({worst.error / floors.fit:.2f} times the floor, most of it from {begin:.4g} to "
-        f"{end:.4g} s; the others {rest / floors.fit:.2f}). Did something else act in it (a hand, "
-        "a stop)? If not, let a run like it select."
+        f"{end:.4g} s; the others {rest / floors.fit:.2f}). {why}"
     )
+
+
+def _slips_in_one(
+    found: Diagnosis, worst: _Run, others: Sequence[_Run], stretch: tuple[float, float]
+) -> str:
+    """Sentence that a run and one like it rest and slip alike then, as a model does not; else "".
+
+    What drives them was measured: so near breakaway its noise decides what the model does.
+    """
+    model = found.search.corrected
+    begin, end = (t - worst.replay.time[0] for t in stretch)
+
+    def moves(replay: Replay, speed: np.ndarray) -> np.ndarray:
+        since = replay.time - replay.time[0]
+        return np.abs(speed[(since >= begin) & (since <= end)]) > SLIPS * replay.observed[SPEED].sd
+
+    def both(replay: Replay) -> tuple[np.ndarray, np.ndarray]:
+        predicted = model.predictor.predict(model.values, [replay])[SPEED][0]
+        return moves(replay, replay.observed[SPEED].values), moves(replay, predicted)
+
+    like = [r.replay for r in others if r.replay.experiment == worst.replay.experiment]
+    for other in like if all(SPEED in r.observed for r in (worst.replay, *like)) else ():
+        (seen, told), (seen_there, told_there) = both(worst.replay), both(other)
+        if seen.size != seen_there.size:
+            continue
+        if np.mean(seen != seen_there) < OTHERWISE <= np.mean(told != told_there):
+            return (
+                f"It rests and slips then as {other.name} does, a run of the same kind, and the "
+                "model slips in one of the two alone: so near breakaway a bit of torque decides "
+                "that, rather than a hand or a stop."
+            )
+    return ""
 
 
 def holding_sentence(found: Diagnosis) -> str:
