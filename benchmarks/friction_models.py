@@ -11,7 +11,7 @@ Stiffness: largest size of an eigenvalue of the linearised flow at rest [1/s].
 
 from __future__ import annotations
 
-import sys
+import argparse
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -167,7 +167,9 @@ def picture(file: Path) -> None:
 
 def main() -> None:
     """Print the table; write the page and its picture."""
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(".")
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", nargs="?", type=Path, default=Path("."))
+    folder = parser.parse_args().folder
     folder.mkdir(parents=True, exist_ok=True)
     rows = [measure(name) for name in MODELS]
     names = list(dict.fromkeys(key for row in rows for key in row))

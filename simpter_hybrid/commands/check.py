@@ -14,7 +14,7 @@ from . import DONE
 if TYPE_CHECKING:
     from ..scenario import Scenario
 
-HELP = "check scenarios and maps without running them; of a recording, print a map to fill in"
+HELP = "check scenarios and maps, each by itself; of a recording, print a map to fill in"
 
 #: Endings of recordings, without a further ``.gz``, and of what has to be saved as one first.
 DATA = (

@@ -31,7 +31,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     add(
         "--vary", action="append", default=[], metavar="PATH=VALUES",
         help='a list v1,v2,...; a range a:b:n; an interval low..high to draw from; the unit behind '
-        'the last number, ":log" behind it all for ratios; e.g. --vary loads.0.along="5 lbf,7 lbf" '
+        'the last number, ":log" behind it all for ratios; e.g., of line-y24-p016, '
+        '--vary loads.0.along="5 lbf,7 lbf" '
         '--vary controller.stages.2.gain="0:0.6 V/(lbf*in):31" --vary device.alpha="0.2..0.6 '
         'kg*m^2"',
     )  # fmt: skip
@@ -47,7 +48,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     add("--jobs", type=int, metavar="N", help="processes (as many as there are cores)")
     add("--dask", metavar="ADDRESS", help="a Dask scheduler to work on, e.g. tcp://host:8786")
     add("--chunk", type=int, metavar="N", help="cases handed out at a time")
-    add("--engine", default="compiled", help="compiled (default) or reference")
+    add("--engine", default="compiled", help='compiled (default; extra "compiled") or reference')
     add("--measures", default="brief", help="brief (default), or all, about a second a case")
     add("--step", default="1 ms", help="sampling step of the measures (1 ms)")
     add("--units", choices=("SI", "thesis"), help="units of the pictures")
