@@ -12,7 +12,7 @@ from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.rigs.declared_off import TORQUE_SCALE
 from simpter_hybrid.identification.rotor.library import rotor_library
-from simpter_hybrid.identification.tracing.rivals import best_form, rivals_of
+from simpter_hybrid.identification.tracing.rivals import best_form, other_forms, rivals_of
 
 pytest.importorskip("llvmlite")
 
@@ -54,40 +54,31 @@ def test_what_comes_down_to_it_at_a_limit_contains_it():
     ],
 )
 def test_an_effect_that_does_better_on_the_same_is_believed_first(best, other, vague, stays):
-    trials = trials_of({best: 0.5, other: 0.502})
+    known = {c.name: c for c in rotor_library(load(find_model("testbed")))}
+    trials = [
+        Trial(known[n], None, left, 1 - left, 1.0) for n, left in ((best, 0.5), (other, 0.502))
+    ]
     assert bool(rivals_of(trials[0], trials, 0.5, vague)) is stays
 
 
-def trials_of(left):
-    known = {c.name: c for c in rotor_library(load(find_model("testbed")))}
-    return [Trial(known[name], None, x, 1 - x, 1.0) for name, x in left.items()]
-
-
 @pytest.mark.parametrize(
-    ("scale", "first", "rivals"),
-    [
-        # Of ramps that end before breakaway neither is told from the other: the effect comes first.
-        (0.4999, "dwell-breakaway", ["breakaway-scale"]),
-        (0.495, "breakaway-scale", ["dwell-breakaway"]),
-        (0.5001, "dwell-breakaway", ["breakaway-scale"]),
-        (0.505, "dwell-breakaway", []),
-    ],
+    ("scale", "first"), [(0.4999, "dwell-breakaway"), (0.495, "breakaway-scale")]
 )
-def test_a_breakaway_off_the_declared_one_is_a_rival_of_one_that_grows_with_rest(
-    scale, first, rivals
-):
-    trials = trials_of({"dwell-breakaway": 0.5, "breakaway-scale": scale})
+def test_of_what_ends_alike_an_effect_is_named_before_a_declared_value(scale, first):
+    known = {c.name: c for c in rotor_library(load(find_model("testbed")))}
+    left = {"dwell-breakaway": 0.5, "breakaway-scale": scale}
+    trials = [Trial(known[name], None, x, 1 - x, 1.0) for name, x in left.items()]
     assert best_form(trials).candidate.name == first
-    assert [t.candidate.name for t in rivals_of(best_form(trials), trials, 0.5)] == rivals
+    (form,) = other_forms(first, trials)
+    assert form.candidate.name in left.keys() - {first}
 
 
 def test_another_torque_with_the_slip_torque_refitted_back_is_no_rival_of_another_breakaway():
-    trials = trials_of({"dwell-breakaway": 0.5, "breakaway-scale": 0.5, "torque-scale": 0.5})
-    # That of breakaway alone is told, with fewer numbers moved.
-    for best in trials[:2]:
-        told = {t.candidate.name for t in rivals_of(best, trials, 0.5)}
-        assert told == {"dwell-breakaway", "breakaway-scale"} - {best.candidate.name}
+    known = {c.name: c for c in rotor_library(load(find_model("testbed")))}
+    left = {"dwell-breakaway": 0.5, "breakaway-scale": 0.5, "torque-scale": 0.5}
+    trials = [Trial(known[name], None, x, 1 - x, 1.0) for name, x in left.items()]
+    assert rivals_of(trials[0], trials, 0.5) == ()
     # Nor is it named where it ends before them by next to nothing.
-    trials[2] = trials_of({"torque-scale": 0.4999})[0]
+    trials[2] = Trial(known["torque-scale"], None, 0.4999, 0.5001, 1.0)
     assert best_form(trials).candidate.name == "dwell-breakaway"
     assert best_form(trials[1:]).candidate.name == "breakaway-scale"

@@ -121,8 +121,8 @@ class Candidate:
     contains : tuple of str
         Candidates of which this is a generalization: no rival of theirs, it does all they do.
     yields_to : str
-        One of those, or of a declared value an effect, that is named in its place if it does as
-        well with as many numbers: of runs that do not tell the two apart it says less.
+        One of those that is named in its place if it does as well with as many numbers: of runs
+        that do not tell the two apart it says less.
     declared : bool
         No effect, but a declared value far off: what is known to its tolerance is no rival of an
         effect that acts on the same and does better.

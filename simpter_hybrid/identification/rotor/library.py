@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...checks.law_check import least_breakaway
+from ...effects.dwell_breakaway import DwellBreakaway
 from ...scenario import Scenario
 from ..rigs.candidate import ECHOES
 from ..rigs.declared_off import (
@@ -26,8 +27,6 @@ from .winding import Winding
 
 #: A breakaway torque that is another multiple of the declared one.
 BREAKAWAY_SCALE = "breakaway-scale"
-#: What no record may tell it from.
-GROWS_WITH_REST = "dwell-breakaway"
 #: The declared number that lags.
 TIME_CONSTANT_OF = "clutch.1.time_constant"
 LEVELS = "Torque ramps to breakaway at some levels of the command."
@@ -62,12 +61,10 @@ def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
     least = 1.0 / least_breakaway(clutch.torque, clutch.full_scale) - 1.0
     where = "breakaway:rest", "breakaway:level"
     bounds = min(least, 0.0), 2.0, 0.02
-    # Of ramps that end before it, or rests that are all alike, no record tells it from what grows
-    # with rest: a rival of that, which is named first, since what is declared is known.
-    one = off_by_a_share(
-        BREAKAWAY_SCALE, numbers, bounds, 0.2, BREAKAWAY_SCALE, "breakaway", where, LEVELS
-    )
-    return (replace(one, echoes=ECHOES, yields_to=GROWS_WITH_REST),)
+    # Of ramps that end before it, or rests that are all alike, a form of what grows with rest.
+    family = DwellBreakaway.family
+    one = off_by_a_share(BREAKAWAY_SCALE, numbers, bounds, 0.2, family, "breakaway", where, LEVELS)
+    return (replace(one, echoes=ECHOES),)
 
 
 def _declared_lag(declared: Scenario) -> str | None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..fitting.fitted_model import Trial
-from ..fitting.predictor import Candidate
 from ..fitting.search import AT_FLOOR
 
 #: Least relative fall of the held-out error for an effect to be accepted.
@@ -78,13 +77,11 @@ def _before_declared(best: Trial, trials: Sequence[Trial]) -> Trial:
     if not best.candidate.declared:
         return best
     within = best.candidate.contains
-    held = [t.candidate for t in trials if t.candidate.name in within]
-    families = {c.family for c in (*held, best.candidate)}
-    before = {c.yields_to for c in (*held, best.candidate)}
+    families = {t.candidate.family for t in trials if t.candidate.name in within}
     alike = [
         t for t in trials
         if t.select_error <= (1 + TIE) * best.select_error
-        and (t.candidate.family in families or t.candidate.name in before)
+        and t.candidate.family in families | {best.candidate.family}
         and len(t.candidate.parameters) <= len(best.candidate.parameters)
         and (not t.candidate.declared or t.candidate.name in within)
     ]  # fmt: skip
@@ -119,13 +116,12 @@ def rivals_of(
     """Trials of other families that explain nearly as much, best of each family first.
 
     `part` is what they explain at least of what the best does.  A declared value that contains a
-    form of the best, or a declared value that acts where the best does, is none of them; nor is one
-    that an effect outdoes, unless this ends off the floor and another rival no better than the
-    declared value.
+    form of the best is none of them; nor is one that an effect outdoes, unless this ends off the
+    floor and another rival no better than the declared value.
     """
     found: dict[str, Trial] = {}
     second: list[Trial] = []
-    forms = {t.candidate.name for t in trials if _is_told_by(t.candidate, best.candidate)}
+    forms = {t.candidate.name for t in trials if t.candidate.family == best.candidate.family}
     for trial in sorted(trials, key=lambda t: t.select_error):
         family = trial.candidate.family
         if family == best.candidate.family or not is_believed(trial):
@@ -147,11 +143,6 @@ def rivals_of(
         if trial.select_error <= most:
             found.setdefault(trial.candidate.family, trial)
     return tuple(sorted(found.values(), key=lambda t: t.select_error))
-
-
-def _is_told_by(one: Candidate, best: Candidate) -> bool:
-    """Whether a candidate is a form of the best, or a declared value beside it that acts there."""
-    return one.family == best.family or (one.declared and one.acts_on == best.acts_on)
 
 
 def _outdone(trial: Trial, best: Trial) -> bool:
