@@ -17,7 +17,8 @@ def test_the_end_of_a_run_counts(monkeypatch, speed, verdict):
 
     counted = SimpleNamespace(flat=((), (), (), ()))
     monkeypatch.setattr(baseline, "sample", taken)
-    monkeypatch.setattr(baseline, "standard", lambda *_: SimpleNamespace(t_end=1.0 + 1e-9))
+    run = SimpleNamespace(t_end=1.0 + 1e-9, scenario=SimpleNamespace(period=1.0 / 150.0))
+    monkeypatch.setattr(baseline, "standard", lambda *_: run)
     monkeypatch.setattr(baseline, "transitions", lambda run: counted)
     monkeypatch.setattr(baseline, "flat", lambda *_: [])
     monkeypatch.setattr(baseline, "jerk_rows", lambda *_: [])

@@ -223,9 +223,10 @@ def noise_left_text(found: Diagnosis) -> str:
 
 def _of_the_driver(found: Diagnosis) -> bool:
     """Whether only the force of a driver, which nobody logged, could be so far off by itself."""
-    done = found.search
+    if not found.limits.told:
+        return False
     most = COLOURED if _rounding_is_all(found) else COLOURED_ALONE
-    return found.limits.told and done.corrected.select_error > most * done.floor
+    return found.search.corrected.select_error > most * found.search.floor
 
 
 def _rounding_is_all(found: Diagnosis) -> bool:
