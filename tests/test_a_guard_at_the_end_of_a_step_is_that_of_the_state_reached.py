@@ -2,7 +2,7 @@
 
 from types import SimpleNamespace
 
-from simpter_hybrid.running.segment import KeptGuards
+from simpter_hybrid.running.kept_guards import KeptGuards
 
 
 def test_a_guard_at_the_end_of_a_step_is_that_of_the_state_reached():
