@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 import simpter_hybrid as simpter
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.device import Device
+from simpter_hybrid.effects.thermal_fade import ThermalFade
 from simpter_hybrid.laws import CoulombViscous
 from simpter_hybrid.part import parameter
 from simpter_hybrid.problems import InvalidInput
@@ -82,6 +83,12 @@ def test_a_clutch_slips_on_past_a_dead_centre(engine, q):
     run = simpter.run(scenario(q, SPEED), engine=engine)
     # Tolerance 1e-10 of the solver, over some dozen steps.
     assert run.end[0] == pytest.approx(angle_after(q, SPEED, 1.0), abs=1e-8)
+
+
+def test_an_effect_that_does_nothing_changes_nothing_of_a_start_at_a_dead_centre():
+    nothing = ThermalFade(clutch=1, fade=0.0)
+    alone, beside = (scenario(math.pi, SPEED).replace(effects=e) for e in ((), (nothing,)))
+    assert simpter.run(beside).end[0] == pytest.approx(simpter.run(alone).end[0], abs=1e-8)
 
 
 def test_a_start_at_rest_at_a_dead_centre_is_refused():

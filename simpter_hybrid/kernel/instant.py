@@ -31,7 +31,7 @@ def sample(md, k, t, y, w):
         hold(md, w)
         for i in range(md.m):
             # What the commands of before let go is asked anew with those that are written now.
-            if fresh and w.released[i] != 0:
+            if fresh and w.released[i] != 0 and not turns_over(md, y, w, i):
                 w.mode[i] = STICK
                 w.released[i] = 0
     md.control(k, t, y, w.tau, md.p, md.rec, w.s, w.held, w.mem)
