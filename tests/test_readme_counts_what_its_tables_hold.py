@@ -41,9 +41,9 @@ def own_testbed() -> list[str]:
         f"pairs {of(own('pair'))} ({first['pair']}); drawn pairs {of(own('drawn'))}",
         f"unknown {of(own('outside'))} ({first['outside']}); with the right effect taken out "
         f"{of(without)} ({first['without']})",
-        f"taken out of the library {of(without, 'named')} are named",
+        f"taken out of the library, {of(without, 'named')} is given a name",
         f'{without["missed"]} are "nothing missing"',
-        f"and {without['unknown']} unknown without their variable",
+        f'and {without["unknown"]} "unknown" without the variable',
         f"{poor['right']} right, {poor['set with it']} in a set, {poor['unknown']} unknown, "
         f"{poor['missed']} not seen",
         f"{advised['right']} of the {advised.total()} are right",
